@@ -21,10 +21,7 @@ bool Parser::newName(Token &name) {
 void Parser::declare(const Token &name, SymbolKind kind, std::uint16_t index) {
   if (!isFree(name))
     return;
-  note(name, Access::Declare, kind);
-  const Symbol *before = m_symbols.declare(text(name), {kind, index, name.span, m_size});
-  if (before)
-    redeclared(name, before->declared);
+  declareIn(m_symbols, name, Symbol{kind, index, {}, m_size}, kind);
 }
 
 /// Parses <varNameList> of TEMP or ADDRESS.
@@ -126,22 +123,7 @@ bool Parser::parseParam() {
       unexpected("'=' or '['", "write PARAM " + std::string(text(name).substr(0, kShownName)) +
                                    " = program.local[0]; or a constant behind '='");
   Rows rows;
-  if (parsed) {
-    const Token first = m_tokens.peek();
-    switch (keywordAt().keyword) {
-    case Keyword::State:
-      m_tokens.next();
-      parsed = parseStateBinding(first.span.begin, false, rows);
-      break;
-    case Keyword::Program:
-      m_tokens.next();
-      parsed = parseProgramBinding(first.span.begin, false, rows);
-      break;
-    default:
-      rows.resize(1);
-      parsed = parseConstant(true, rows[0]);
-    }
-  }
+  parsed = parsed && parseParameter(false, rows);
   const bool known = parsed && !rows.empty();
   declare(name, known ? SymbolKind::Parameter : SymbolKind::Unknown, known ? rows[0] : 0);
   return parsed && endStatement();
@@ -193,23 +175,7 @@ bool Parser::parseArraySize(std::optional<std::uint32_t> &size) {
 bool Parser::parseArrayItem(std::optional<std::uint32_t> size, Rows &rows) {
   const Token first = m_tokens.peek();
   const std::size_t before = rows.size();
-  bool parsed = false;
-  switch (keywordAt().keyword) {
-  case Keyword::State:
-    m_tokens.next();
-    parsed = parseStateBinding(first.span.begin, true, rows);
-    break;
-  case Keyword::Program:
-    m_tokens.next();
-    parsed = parseProgramBinding(first.span.begin, true, rows);
-    break;
-  default: {
-    std::uint16_t row = 0;
-    parsed = parseConstant(true, row);
-    if (parsed)
-      rows.push_back(row);
-  }
-  }
+  const bool parsed = parseParameter(true, rows);
   if (size && *size != 0 && before <= *size && rows.size() > *size)
     error(DiagnosticId::ArraySizeMismatch, first.span,
           "more elements than the array's size, " + std::to_string(*size));

@@ -74,13 +74,8 @@ bool Parser::parseSourceRegister(ir::Operand &operand) {
     operand.file = ir::File::Attribute;
     return parseAttributeBinding(Place::Operand, operand.index);
   case Keyword::State:
-    m_tokens.next();
-    if (!parseStateBinding(first.span.begin, false, rows))
-      return false;
-    break;
   case Keyword::Program:
-    m_tokens.next();
-    if (!parseProgramBinding(first.span.begin, false, rows))
+    if (!parseParameter(false, rows))
       return false;
     break;
   case Keyword::Result:

@@ -122,13 +122,9 @@ std::string Parser::nvOptionsHint(std::string_view word) const {
 }
 
 Vocabulary Parser::statementWords() const {
-  Vocabulary result{.words = fp::statementWords(m_language),
-                    .saturate = m_language.saturates || isSecondNv() ? "_SAT" : "",
-                    .parts = {}};
-  for (int i = ir::kOpcodeCount; i < ir::kOpcodeRowCount; ++i)
-    if (isNv() && nv::offers(m_language, m_options.nv, ir::Opcode(i)))
-      result.words.emplace_back(info(ir::Opcode(i)).mnemonic);
-  return result;
+  return {.words = fp::statementWords(m_language),
+          .saturate = m_language.saturates || isSecondNv() ? "_SAT" : "",
+          .parts = {}};
 }
 
 /// Goes on behind an unknown statement: accepts the names that it may declare or write, so that
@@ -195,6 +191,10 @@ bool Parser::unexpectedToken(const Token &token, const char *expected, std::stri
     hint = std::string("absolute values and condition codes belong to the ") +
            m_language.nvOptions + " options";
   return AssemblyParser::unexpectedToken(token, expected, std::move(hint));
+}
+
+bool Parser::offers(ir::Opcode op) const {
+  return int(op) >= ir::kOpcodeCount && isNv() && nv::offers(m_language, m_options.nv, op);
 }
 
 Word Parser::wordOf(std::string_view identifier) const {

@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -47,6 +49,7 @@ private:
   std::string nvOptionsHint(std::string_view word) const;
   bool isForeignStatement(std::string_view word) const;
   [[nodiscard]] Vocabulary statementWords() const override;
+  [[nodiscard]] bool offers(ir::Opcode op) const override;
   bool unexpectedToken(const Token &token, const char *expected, std::string hint = {}) override;
   [[nodiscard]] std::string_view ownBytes() const override { return isNv() ? "|():" : ""; }
   [[nodiscard]] Word wordOf(std::string_view identifier) const override;
@@ -86,8 +89,13 @@ private:
                           std::uint32_t &index);
   bool parseBounded(std::uint32_t limit, DiagnosticId id, const char *what,
                     std::uint32_t &value) override;
-  bool unknownWord(const char *what, std::initializer_list<std::string_view> words,
-                   std::initializer_list<std::string_view> foreignWords = {});
+  bool parseRange(std::uint32_t limit, DiagnosticId id, const char *what, bool range,
+                  std::uint32_t &first, std::uint32_t &last);
+  bool parseParameter(bool range, Rows &rows);
+  bool parseIndexedAttribute(std::optional<std::uint16_t> &sequence, ir::AttributeKind kind,
+                             std::uint32_t count);
+  bool unknownWord(const char *what, const std::vector<std::string_view> &words,
+                   const std::vector<std::string_view> &foreignWords = {});
 
   // vertex_bindings.cpp: bindings of vertex programs only
   bool parseVertexAttribute(ir::Attribute &attribute);
@@ -100,6 +108,11 @@ private:
   bool parsePoint(ir::StateRef &ref);
 
   // state_binding.cpp
+  struct NamedItem {
+    std::string_view word;
+    ir::StateItem item;
+  };
+  bool parseItem(const char *what, std::initializer_list<NamedItem> items, ir::StateRef &ref);
   bool parseStateBinding(std::uint32_t begin, bool range, Rows &rows);
   bool parseMaterial(ir::StateRef &ref);
   bool parseLight(ir::StateRef &ref);
@@ -110,7 +123,6 @@ private:
   bool parseDepth(ir::StateRef &ref);
   bool parseMatrix(std::uint32_t begin, bool range, Rows &rows);
   bool parseMatrixName(ir::StateRef &ref);
-  bool parseMatrixRows(bool range, std::uint32_t &first, std::uint32_t &last);
   bool parseFace(ir::StateRef &ref);
 
   // instructions.cpp
@@ -155,8 +167,8 @@ private:
   bool parseStack(nv::Statement &statement);
   bool parseFlowParts(nv::Statement &statement, const Token &opcode) override;
   [[nodiscard]] bool atAddress() const;
-  bool parseIndexed(std::optional<std::uint16_t> &sequence);
-  void indexAttributes(ir::AttributeKind kind, std::uint32_t count);
+  bool parseIndexed(std::optional<std::uint16_t> &sequence, std::uint32_t count,
+                    const std::function<std::uint16_t(std::uint8_t)> &bind);
   void finish(Span end) override;
 
   /// A parameter array. `relative` is its number in the program once an address register has

@@ -30,19 +30,37 @@ struct Symbol {
   RegisterSize size = RegisterSize::Long; ///< of a temporary or a result
 };
 
-/// The names of a program (3.11.3). Keys point into the program text, which must outlive the table.
-class SymbolTable {
+/// The names that a program declares, with what they mean. Keys point into the program text, which
+/// must outlive the table. A meaning whose kind is Unknown gives way to the next one.
+template <typename Meaning> class Declarations {
 public:
-  /// Declares a name and returns nullptr. If the name is already declared, returns its symbol
+  /// Declares a name and returns nullptr. If the name is already declared, returns its meaning
   /// instead.
+  const Meaning *declare(std::string_view name, const Meaning &meaning) {
+    const auto [entry, isNew] = m_meanings.try_emplace(name, meaning);
+    if (!isNew && entry->second.kind != decltype(meaning.kind)::Unknown)
+      return &entry->second;
+    entry->second = meaning;
+    return nullptr;
+  }
+  /// Returns the meaning of a name; nullptr if it is not declared.
+  [[nodiscard]] const Meaning *find(std::string_view name) const {
+    const auto entry = m_meanings.find(name);
+    return entry == m_meanings.end() ? nullptr : &entry->second;
+  }
+
+private:
+  std::unordered_map<std::string_view, Meaning> m_meanings;
+};
+
+/// The names of an ARB program (3.11.3).
+class SymbolTable : public Declarations<Symbol> {
+public:
   const Symbol *declare(std::string_view name, const Symbol &symbol);
-  /// Returns the symbol of a name; nullptr if it is not declared.
-  [[nodiscard]] const Symbol *find(std::string_view name) const;
   /// Returns a hint for an undeclared name: the most similar declared name, or how to declare it.
   [[nodiscard]] std::string suggest(std::string_view name) const;
 
 private:
-  std::unordered_map<std::string_view, Symbol> m_symbols;
   std::vector<std::string_view> m_latest; ///< the names to suggest, bounded
 };
 

@@ -61,6 +61,9 @@ bool AssemblyParser::endsStatement(const Token &token) const {
 /// Returns the words that may begin a statement, to suggest from.
 Vocabulary AssemblyParser::vocabulary() const {
   Vocabulary result = statementWords();
+  for (int i = 0; i < ir::kOpcodeRowCount; ++i)
+    if (offers(Opcode(i)))
+      result.words.emplace_back(info(Opcode(i)).mnemonic);
   result.parts = [this](std::string_view word) {
     const Word known = wordOf(word);
     return known.keyword == Keyword::Opcode ? partCount(known.op) : 0;

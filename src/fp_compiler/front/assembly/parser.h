@@ -107,8 +107,9 @@ protected:
   [[nodiscard]] virtual Word wordOf(std::string_view identifier) const = 0;
   /// Returns the opcode that an identifier of the language begins with.
   [[nodiscard]] virtual std::optional<ir::Opcode> baseOf(std::string_view identifier) const = 0;
-  /// Returns the words that may begin a statement, and what saturates.
+  /// Returns the words that may begin a statement, without those of offers(), and what saturates.
   [[nodiscard]] virtual Vocabulary statementWords() const = 0;
+  [[nodiscard]] virtual bool offers(ir::Opcode op) const = 0;
   [[nodiscard]] virtual bool hasConditions() const = 0; ///< and bars
   [[nodiscard]] virtual bool hasSecondCondition() const { return false; }
   [[nodiscard]] virtual bool hasAddressVectors() const = 0;

@@ -71,13 +71,8 @@ std::uint8_t maskOf(std::string_view word) {
 }
 
 std::optional<std::uint8_t> numbered(std::string_view word, char letter) {
-  if (word.size() < 2 || word.size() > 3 || word[0] != letter ||
-      word.find_first_not_of("0123456789", 1) != std::string_view::npos)
-    return {};
-  // A leading zero, as in "r01", does not name a register.
-  if (word.size() == 3 && word[1] == '0')
-    return {};
-  return std::uint8_t(parseInteger(word.substr(1)));
+  const auto number = numberBehind(word, {&letter, 1}, 2);
+  return number ? std::optional(std::uint8_t(*number)) : std::nullopt;
 }
 
 bool beginsStatement(std::string_view word) {

@@ -6,8 +6,8 @@
 namespace arbiter::fp {
 
 /// Reports that the current token is not one of the words that are allowed here.
-bool Parser::unknownWord(const char *what, std::initializer_list<std::string_view> words,
-                         std::initializer_list<std::string_view> foreignWords) {
+bool Parser::unknownWord(const char *what, const std::vector<std::string_view> &words,
+                         const std::vector<std::string_view> &foreignWords) {
   if (!at(TokenKind::Identifier))
     return unexpected(what);
   const std::string_view word = text(m_tokens.peek());
@@ -51,6 +51,44 @@ bool Parser::parseOptionalIndex(std::uint32_t limit, DiagnosticId id, const char
   return !at(TokenKind::OpenBracket) || parseIndex(limit, id, what, index);
 }
 
+/// Parses "[" <integer> and, in an array, ".." <integer>. After an error the range is one row.
+bool Parser::parseRange(std::uint32_t limit, DiagnosticId id, const char *what, bool range,
+                        std::uint32_t &first, std::uint32_t &last) {
+  const std::size_t errorsBefore = m_reporter.errorCount();
+  if (!expect(TokenKind::OpenBracket, "'['") || !parseBounded(limit, id, what, first))
+    return false;
+  last = first;
+  if (range && m_tokens.accept(TokenKind::DotDot)) {
+    const Token token = m_tokens.peek();
+    if (!parseBounded(limit, id, what, last))
+      return false;
+    if (last < first && m_reporter.errorCount() == errorsBefore)
+      error(DiagnosticId::ReversedRange, token.span, "the range runs backwards");
+  }
+  if (m_reporter.errorCount() != errorsBefore)
+    last = first;
+  return true;
+}
+
+/// Parses what a PARAM or an operand binds: state, program parameters, or a constant.
+bool Parser::parseParameter(bool range, Rows &rows) {
+  const std::uint32_t begin = m_tokens.peek().span.begin;
+  switch (keywordAt().keyword) {
+  case Keyword::State:
+    m_tokens.next();
+    return parseStateBinding(begin, range, rows);
+  case Keyword::Program:
+    m_tokens.next();
+    return parseProgramBinding(begin, range, rows);
+  default:
+    std::uint16_t row = 0;
+    if (!parseConstant(true, row))
+      return false;
+    rows.push_back(row);
+    return true;
+  }
+}
+
 /// Parses <fragAttribBinding> or <vtxAttribBinding>, from its first word on.
 bool Parser::parseAttributeBinding(Place place, std::uint16_t &row) {
   const std::uint32_t begin = m_tokens.next().span.begin;
@@ -65,26 +103,19 @@ bool Parser::parseAttributeBinding(Place place, std::uint16_t &row) {
       return false;
   } else if (atWord("texcoord")) {
     attribute.kind = ir::AttributeKind::TexCoord;
-    if (m_tokens.peek(1).kind == TokenKind::OpenBracket && m_mayIndex && isSecondNv()) {
-      m_tokens.next();
-      if (atAddress()) {
-        indexAttributes(attribute.kind, m_limits.textureCoords);
-        row = m_sequences[*m_texCoords].front();
-        return parseIndexed(m_texCoords);
-      }
-      std::uint32_t index = 0;
-      if (!parseIndex(byteLimit(m_limits.textureCoords), DiagnosticId::TexCoordIndex,
-                      "texture coordinate set", index))
+    m_tokens.next();
+    if (atAddress()) {
+      if (!parseIndexedAttribute(m_texCoords, attribute.kind, m_limits.textureCoords))
         return false;
-      attribute.index = std::uint8_t(index);
-    } else if (!parseTexCoord(attribute.index)) {
-      return false;
+      row = m_sequences[*m_texCoords].front();
+      return true;
     }
+    if (!parseTexCoord(attribute.index))
+      return false;
   } else if (atWord("fogcoord") || atWord("position")) {
     attribute.kind = text(m_tokens.next()) == "fogcoord" ? ir::AttributeKind::FogCoord
                                                          : ir::AttributeKind::Position;
-  } else if (!vertex && isSecondNv() && atWord("facing")) {
-    m_tokens.next();
+  } else if (!vertex && isSecondNv() && acceptWord("facing")) {
     attribute.kind = ir::AttributeKind::Facing;
   } else if (vertex) {
     if (!parseVertexAttribute(attribute))
@@ -97,16 +128,13 @@ bool Parser::parseAttributeBinding(Place place, std::uint16_t &row) {
   return true;
 }
 
-/// Binds all attributes of a kind as a sequence, which an address register can index.
-void Parser::indexAttributes(ir::AttributeKind kind, std::uint32_t count) {
-  std::optional<std::uint16_t> &sequence =
-      kind == ir::AttributeKind::TexCoord ? m_texCoords : m_attribs;
-  if (sequence)
-    return;
-  sequence = std::uint16_t(m_sequences.size());
-  std::vector<std::uint16_t> &rows = m_sequences.emplace_back();
-  for (std::uint32_t i = 0; i < byteLimit(count); ++i)
-    rows.push_back(m_binder.attribute({kind, std::uint8_t(i)}, m_tokens.peek().span, false));
+/// Parses an index by an address register, which chooses from all attributes of a kind.
+bool Parser::parseIndexedAttribute(std::optional<std::uint16_t> &sequence, ir::AttributeKind kind,
+                                   std::uint32_t count) {
+  const Span where = m_tokens.peek().span;
+  return parseIndexed(sequence, count, [&](std::uint8_t index) {
+    return m_binder.attribute({kind, index}, where, false);
+  });
 }
 
 /// Parses "color" <optColorType>.
@@ -125,9 +153,8 @@ bool Parser::parseColorAttribute(Place place, ir::Attribute &attribute) {
   return true;
 }
 
-/// Parses "texcoord" <optTexCoordNum>.
+/// Parses <optTexCoordNum>.
 bool Parser::parseTexCoord(std::uint8_t &index) {
-  m_tokens.next();
   std::uint32_t parsed = 0;
   if (!parseOptionalIndex(byteLimit(m_limits.textureCoords), DiagnosticId::TexCoordIndex,
                           "texture coordinate set", parsed))
@@ -155,15 +182,13 @@ bool Parser::parseResultBinding(Place place, std::uint16_t &row) {
 
 /// Parses <resultBinding> of fragment programs, after its dot.
 bool Parser::parseFragmentResult(ir::Output &output) {
-  if (atWord("depth")) {
-    m_tokens.next();
+  if (acceptWord("depth")) {
     output.kind = ir::OutputKind::Depth;
     return true;
   }
-  if (!atWord("color"))
+  if (!acceptWord("color"))
     return unknownWord("a fragment result", {"color", "depth"},
                        {"position", "fogcoord", "pointsize", "texcoord", "clip"});
-  m_tokens.next();
   if (at(TokenKind::OpenBracket)) {
     std::uint32_t index = 0;
     if (!m_options.drawBuffers)
@@ -188,27 +213,16 @@ bool Parser::parseFragmentResult(ir::Output &output) {
 bool Parser::parseProgramBinding(std::uint32_t begin, bool range, Rows &rows) {
   if (!expect(TokenKind::Dot, "'.'", "name the parameter: program.local[0] or program.env[0]"))
     return false;
-  const bool env = atWord("env");
-  if (!env && !atWord("local"))
+  const bool env = acceptWord("env");
+  if (!env && !acceptWord("local"))
     return unknownWord("env or local", {"env", "local"});
-  m_tokens.next();
   const std::uint32_t limit =
       std::min(env ? m_limits.envParameters : m_limits.localParameters, 65536u);
   const char *what = env ? "environment parameter" : "local parameter";
   const std::size_t errorsBefore = m_reporter.errorCount();
-  std::uint32_t first = 0;
-  if (!expect(TokenKind::OpenBracket, "'['") ||
-      !parseBounded(limit, DiagnosticId::ParameterIndex, what, first))
-    return false;
-  std::uint32_t last = first;
-  if (range && m_tokens.accept(TokenKind::DotDot)) {
-    const Token token = m_tokens.peek();
-    if (!parseBounded(limit, DiagnosticId::ParameterIndex, what, last))
-      return false;
-    if (last < first && m_reporter.errorCount() == errorsBefore)
-      error(DiagnosticId::ReversedRange, token.span, "the range runs backwards");
-  }
-  if (!expect(TokenKind::CloseBracket, "']'",
+  std::uint32_t first = 0, last = 0;
+  if (!parseRange(limit, DiagnosticId::ParameterIndex, what, range, first, last) ||
+      !expect(TokenKind::CloseBracket, "']'",
               range ? "" : "a range belongs in an array: PARAM p[] = { program.local[0..3] }"))
     return false;
   // If the index is out of range, one row stands for the binding, so that the statement is still

@@ -8,18 +8,6 @@ namespace {
 using ir::MatrixModifier;
 using ir::StateItem;
 
-struct NamedItem {
-  std::string_view word;
-  StateItem item;
-};
-
-std::optional<StateItem> find(std::initializer_list<NamedItem> items, std::string_view word) {
-  for (const NamedItem &item : items)
-    if (item.word == word)
-      return item.item;
-  return std::nullopt;
-}
-
 std::optional<MatrixModifier> findModifier(std::string_view word) {
   if (word == "inverse")
     return MatrixModifier::Inverse;
@@ -36,10 +24,8 @@ std::optional<MatrixModifier> findModifier(std::string_view word) {
 bool Parser::parseStateBinding(std::uint32_t begin, bool range, Rows &rows) {
   if (!expect(TokenKind::Dot, "'.'"))
     return false;
-  if (atWord("matrix")) {
-    m_tokens.next();
+  if (acceptWord("matrix"))
     return parseMatrix(begin, range, rows);
-  }
   struct Group {
     std::string_view word;
     bool (Parser::*parse)(ir::StateRef &);
@@ -78,6 +64,20 @@ bool Parser::parseStateBinding(std::uint32_t begin, bool range, Rows &rows) {
                                                     "texenv", "fog", "depth", "matrix"});
 }
 
+/// Consumes one of the words, which is an item of state.
+bool Parser::parseItem(const char *what, std::initializer_list<NamedItem> items,
+                       ir::StateRef &ref) {
+  std::vector<std::string_view> words;
+  for (const NamedItem &item : items) {
+    if (acceptWord(item.word)) {
+      ref.item = item.item;
+      return true;
+    }
+    words.push_back(item.word);
+  }
+  return unknownWord(what, words);
+}
+
 /// Parses <optFaceType> and the dot before the next property.
 bool Parser::parseFace(ir::StateRef &ref) {
   if (!expect(TokenKind::Dot, "'.'"))
@@ -89,20 +89,13 @@ bool Parser::parseFace(ir::StateRef &ref) {
 }
 
 bool Parser::parseMaterial(ir::StateRef &ref) {
-  if (!parseFace(ref))
-    return false;
-  const auto item = find({{"ambient", StateItem::MaterialAmbient},
-                          {"diffuse", StateItem::MaterialDiffuse},
-                          {"specular", StateItem::MaterialSpecular},
-                          {"emission", StateItem::MaterialEmission},
-                          {"shininess", StateItem::MaterialShininess}},
-                         text(m_tokens.peek()));
-  if (!item)
-    return unknownWord("a material property",
-                       {"ambient", "diffuse", "specular", "emission", "shininess"});
-  m_tokens.next();
-  ref.item = *item;
-  return true;
+  return parseFace(ref) && parseItem("a material property",
+                                     {{"ambient", StateItem::MaterialAmbient},
+                                      {"diffuse", StateItem::MaterialDiffuse},
+                                      {"specular", StateItem::MaterialSpecular},
+                                      {"emission", StateItem::MaterialEmission},
+                                      {"shininess", StateItem::MaterialShininess}},
+                                     ref);
 }
 
 bool Parser::parseLight(ir::StateRef &ref) {
@@ -111,27 +104,19 @@ bool Parser::parseLight(ir::StateRef &ref) {
       !expect(TokenKind::Dot, "'.'"))
     return false;
   ref.index = std::uint8_t(index);
-  const auto item = find({{"ambient", StateItem::LightAmbient},
-                          {"diffuse", StateItem::LightDiffuse},
-                          {"specular", StateItem::LightSpecular},
-                          {"position", StateItem::LightPosition},
-                          {"attenuation", StateItem::LightAttenuation},
-                          {"spot", StateItem::LightSpotDirection},
-                          {"half", StateItem::LightHalf}},
-                         text(m_tokens.peek()));
-  if (!item)
-    return unknownWord("a light property", {"ambient", "diffuse", "specular", "position",
-                                            "attenuation", "spot", "half"});
-  m_tokens.next();
-  ref.item = *item;
-  if (*item != StateItem::LightSpotDirection)
-    return true;
-  if (!expect(TokenKind::Dot, "'.direction'"))
+  if (!parseItem("a light property",
+                 {{"ambient", StateItem::LightAmbient},
+                  {"diffuse", StateItem::LightDiffuse},
+                  {"specular", StateItem::LightSpecular},
+                  {"position", StateItem::LightPosition},
+                  {"attenuation", StateItem::LightAttenuation},
+                  {"spot", StateItem::LightSpotDirection},
+                  {"half", StateItem::LightHalf}},
+                 ref))
     return false;
-  if (!atWord("direction"))
-    return unknownWord("direction", {"direction"});
-  m_tokens.next();
-  return true;
+  return ref.item != StateItem::LightSpotDirection ||
+         (expect(TokenKind::Dot, "'.direction'") &&
+          parseItem("direction", {{"direction", StateItem::LightSpotDirection}}, ref));
 }
 
 bool Parser::parseLightModel(ir::StateRef &ref) {
@@ -161,15 +146,11 @@ bool Parser::parseLightProduct(ir::StateRef &ref) {
       !parseFace(ref))
     return false;
   ref.index = std::uint8_t(index);
-  const auto item = find({{"ambient", StateItem::LightProdAmbient},
-                          {"diffuse", StateItem::LightProdDiffuse},
-                          {"specular", StateItem::LightProdSpecular}},
-                         text(m_tokens.peek()));
-  if (!item)
-    return unknownWord("a light product", {"ambient", "diffuse", "specular"});
-  m_tokens.next();
-  ref.item = *item;
-  return true;
+  return parseItem("a light product",
+                   {{"ambient", StateItem::LightProdAmbient},
+                    {"diffuse", StateItem::LightProdDiffuse},
+                    {"specular", StateItem::LightProdSpecular}},
+                   ref);
 }
 
 bool Parser::parseTexEnv(ir::StateRef &ref) {
@@ -179,55 +160,40 @@ bool Parser::parseTexEnv(ir::StateRef &ref) {
       !expect(TokenKind::Dot, "'.'"))
     return false;
   ref.index = std::uint8_t(index);
-  ref.item = StateItem::TexEnvColor;
-  if (!atWord("color"))
-    return unknownWord("color", {"color"});
-  m_tokens.next();
-  return true;
+  return parseItem("color", {{"color", StateItem::TexEnvColor}}, ref);
 }
 
 bool Parser::parseFog(ir::StateRef &ref) {
-  if (!expect(TokenKind::Dot, "'.'"))
-    return false;
-  if (!atWord("color") && !atWord("params"))
-    return unknownWord("color or params", {"color", "params"});
-  ref.item = text(m_tokens.next()) == "color" ? StateItem::FogColor : StateItem::FogParams;
-  return true;
+  return expect(TokenKind::Dot, "'.'") &&
+         parseItem("color or params",
+                   {{"color", StateItem::FogColor}, {"params", StateItem::FogParams}}, ref);
 }
 
 bool Parser::parseDepth(ir::StateRef &ref) {
-  if (!expect(TokenKind::Dot, "'.'"))
-    return false;
-  if (!atWord("range"))
-    return unknownWord("range", {"range"});
-  m_tokens.next();
-  ref.item = StateItem::DepthRange;
-  return true;
+  return expect(TokenKind::Dot, "'.'") &&
+         parseItem("range", {{"range", StateItem::DepthRange}}, ref);
 }
 
 bool Parser::parseMatrixName(ir::StateRef &ref) {
-  const auto item = find({{"modelview", StateItem::MatrixModelview},
-                          {"projection", StateItem::MatrixProjection},
-                          {"mvp", StateItem::MatrixMvp},
-                          {"texture", StateItem::MatrixTexture},
-                          {"palette", StateItem::MatrixPalette},
-                          {"program", StateItem::MatrixProgram}},
-                         text(m_tokens.peek()));
-  if (!item)
-    return unknownWord("a matrix",
-                       {"modelview", "projection", "mvp", "texture", "palette", "program"});
-  m_tokens.next();
-  ref.item = *item;
+  if (!parseItem("a matrix",
+                 {{"modelview", StateItem::MatrixModelview},
+                  {"projection", StateItem::MatrixProjection},
+                  {"mvp", StateItem::MatrixMvp},
+                  {"texture", StateItem::MatrixTexture},
+                  {"palette", StateItem::MatrixPalette},
+                  {"program", StateItem::MatrixProgram}},
+                 ref))
+    return false;
   std::uint32_t index = 0;
   const auto id = DiagnosticId::MatrixIndex;
   bool parsed = true;
-  if (*item == StateItem::MatrixModelview)
+  if (ref.item == StateItem::MatrixModelview)
     parsed = parseOptionalIndex(byteLimit(m_limits.vertexUnits), id, "modelview matrix", index);
-  else if (*item == StateItem::MatrixTexture)
+  else if (ref.item == StateItem::MatrixTexture)
     parsed = parseOptionalIndex(byteLimit(m_limits.textureCoords), id, "texture matrix", index);
-  else if (*item == StateItem::MatrixPalette)
+  else if (ref.item == StateItem::MatrixPalette)
     parsed = parseIndex(byteLimit(m_limits.paletteMatrices), id, "palette matrix", index);
-  else if (*item == StateItem::MatrixProgram)
+  else if (ref.item == StateItem::MatrixProgram)
     parsed = parseIndex(byteLimit(m_limits.programMatrices), id, "program matrix", index);
   ref.index = std::uint8_t(index);
   return parsed;
@@ -251,13 +217,13 @@ bool Parser::parseMatrix(std::uint32_t begin, bool range, Rows &rows) {
     if (!expect(TokenKind::Dot, "'.row[n]'",
                 "a whole matrix belongs in an array: PARAM m[4] = { state.matrix.mvp }"))
       return false;
-    if (!atWord("row"))
+    if (!acceptWord("row"))
       return ref.modifier == MatrixModifier::Plain
                  ? unknownWord("a matrix modifier or row",
                                {"inverse", "transpose", "invtrans", "row"})
                  : unknownWord("row", {"row"});
-    m_tokens.next();
-    if (!parseMatrixRows(range, first, last))
+    if (!parseRange(4, DiagnosticId::MatrixRow, "matrix row", range, first, last) ||
+        !expect(TokenKind::CloseBracket, "']'", range ? "" : "a range of rows belongs in an array"))
       return false;
   }
   for (std::uint32_t i = first; i <= last; ++i) {
@@ -265,25 +231,6 @@ bool Parser::parseMatrix(std::uint32_t begin, bool range, Rows &rows) {
     rows.push_back(m_binder.state(ref, spanFrom(begin)));
   }
   return true;
-}
-
-/// Parses "[" a "]" or, in an array, "[" a ".." b "]".
-bool Parser::parseMatrixRows(bool range, std::uint32_t &first, std::uint32_t &last) {
-  const std::size_t errorsBefore = m_reporter.errorCount();
-  if (!expect(TokenKind::OpenBracket, "'['") ||
-      !parseBounded(4, DiagnosticId::MatrixRow, "matrix row", first))
-    return false;
-  last = first;
-  if (range && m_tokens.accept(TokenKind::DotDot)) {
-    const Token token = m_tokens.peek();
-    if (!parseBounded(4, DiagnosticId::MatrixRow, "matrix row", last))
-      return false;
-    if (last < first && m_reporter.errorCount() == errorsBefore)
-      error(DiagnosticId::ReversedRange, token.span, "the range runs backwards");
-  }
-  if (m_reporter.errorCount() != errorsBefore)
-    last = first;
-  return expect(TokenKind::CloseBracket, "']'", range ? "" : "a range of rows belongs in an array");
 }
 
 } // namespace arbiter::fp

@@ -6,19 +6,16 @@ namespace arbiter::fp {
 
 /// Parses a <vtxAttribItem> that fragment programs lack.
 bool Parser::parseVertexAttribute(ir::Attribute &attribute) {
-  if (atWord("normal")) {
-    m_tokens.next();
+  if (acceptWord("normal")) {
     attribute.kind = ir::AttributeKind::Normal;
     return true;
   }
-  if (atWord("attrib")) {
-    m_tokens.next();
+  if (acceptWord("attrib")) {
     std::uint32_t index = 0;
     attribute.kind = ir::AttributeKind::Generic;
     if (atAddress()) {
-      indexAttributes(attribute.kind, m_limits.vertexAttribs);
       attribute.index = 0; // stands for them all, and is one of them
-      return parseIndexed(m_attribs);
+      return parseIndexedAttribute(m_attribs, attribute.kind, m_limits.vertexAttribs);
     }
     if (!parseIndex(byteLimit(m_limits.vertexAttribs), DiagnosticId::AttributeIndex,
                     "vertex attribute", index))
@@ -67,28 +64,13 @@ bool Parser::parseVertexResult(ir::Output &output) {
             "the option computes the position; remove one of the two");
     return true;
   }
-  if (atWord("texcoord")) {
+  if (acceptWord("texcoord")) {
     output.kind = ir::OutputKind::TexCoord;
-    if (m_tokens.peek(1).kind == TokenKind::OpenBracket && m_mayIndex &&
-        m_tokens.peek(0).kind == TokenKind::Identifier && isSecondNv()) {
-      m_tokens.next();
-      if (atAddress()) {
-        if (!m_texCoordResults) {
-          m_texCoordResults = std::uint16_t(m_sequences.size());
-          m_sequences.emplace_back();
-          for (std::uint32_t i = 0; i < byteLimit(m_limits.textureCoords); ++i)
-            m_sequences.back().push_back(m_binder.output({output.kind, std::uint8_t(i)}));
-        }
-        return parseIndexed(m_texCoordResults);
-      }
-      std::uint32_t index = 0;
-      if (!parseIndex(byteLimit(m_limits.textureCoords), DiagnosticId::TexCoordIndex,
-                      "texture coordinate set", index))
-        return false;
-      output.index = std::uint8_t(index);
-      return true;
-    }
-    return parseTexCoord(output.index);
+    if (!atAddress())
+      return parseTexCoord(output.index);
+    return parseIndexed(m_texCoordResults, m_limits.textureCoords, [&](std::uint8_t index) {
+      return m_binder.output({output.kind, index});
+    });
   }
   if (atWord("fogcoord") || atWord("pointsize")) {
     output.kind =
@@ -147,17 +129,14 @@ bool Parser::parseTexGen(ir::StateRef &ref) {
       !expect(TokenKind::Dot, "'.'"))
     return false;
   ref.index = std::uint8_t(index);
-  if (!atWord("eye") && !atWord("object"))
-    return unknownWord("eye or object", {"eye", "object"});
-  ref.item =
-      text(m_tokens.next()) == "eye" ? ir::StateItem::TexGenEye : ir::StateItem::TexGenObject;
-  if (!expect(TokenKind::Dot, "'.'"))
+  if (!parseItem("eye or object",
+                 {{"eye", ir::StateItem::TexGenEye}, {"object", ir::StateItem::TexGenObject}},
+                 ref) ||
+      !expect(TokenKind::Dot, "'.'"))
     return false;
   for (const std::string_view word : {"s", "t", "r", "q"}) {
-    if (atWord(word)) {
-      m_tokens.next();
+    if (acceptWord(word))
       return true;
-    }
     ++ref.row;
   }
   return unknownWord("a texture coordinate", {"s", "t", "r", "q"});
@@ -170,23 +149,17 @@ bool Parser::parseClipPlane(ir::StateRef &ref) {
                   index) ||
       !expect(TokenKind::Dot, "'.plane'"))
     return false;
-  if (!atWord("plane"))
-    return unknownWord("plane", {"plane"});
-  m_tokens.next();
-  ref.item = ir::StateItem::ClipPlane;
   ref.index = std::uint8_t(index);
-  return true;
+  return parseItem("plane", {{"plane", ir::StateItem::ClipPlane}}, ref);
 }
 
 /// Parses <statePointItem>, after "point".
 bool Parser::parsePoint(ir::StateRef &ref) {
-  if (!expect(TokenKind::Dot, "'.'"))
-    return false;
-  if (!atWord("size") && !atWord("attenuation"))
-    return unknownWord("size or attenuation", {"size", "attenuation"});
-  ref.item =
-      text(m_tokens.next()) == "size" ? ir::StateItem::PointSize : ir::StateItem::PointAttenuation;
-  return true;
+  return expect(TokenKind::Dot, "'.'") &&
+         parseItem(
+             "size or attenuation",
+             {{"size", ir::StateItem::PointSize}, {"attenuation", ir::StateItem::PointAttenuation}},
+             ref);
 }
 
 } // namespace arbiter::fp

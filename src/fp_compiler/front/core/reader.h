@@ -61,8 +61,14 @@ protected:
 
   void error(DiagnosticId id, Span span, std::string message, std::string hint = {});
   void warning(DiagnosticId id, Span span, std::string message, std::string hint = {});
-  /// Reports a name that is declared twice.
-  void redeclared(const Token &name, Span before);
+  /// Declares a name here, or reports that it is declared twice.
+  template <typename Names, typename Meaning>
+  void declareIn(Names &names, const Token &name, Meaning meaning, SymbolKind kind) {
+    note(name, Access::Declare, kind);
+    meaning.declared = name.span;
+    if (const Meaning *const before = names.declare(text(name), meaning))
+      redeclared(name, before->declared);
+  }
   /// Adds the name to the table of names, if there is one.
   void note(const Token &name, Access access, SymbolKind kind = SymbolKind::Unknown) {
     if (m_names)
@@ -86,6 +92,9 @@ protected:
   Reporter &m_reporter;
   NameTable *m_names; ///< null where names are not wanted
   TokenStream m_tokens;
+
+private:
+  void redeclared(const Token &name, Span before);
 };
 
 /// Checks the header of a text, and calls \p parse with the source and the result. If \p names is

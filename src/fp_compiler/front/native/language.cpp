@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "fp_compiler/front/words/numeral.h"
-
 namespace arbiter::fp::native {
 
 namespace {
@@ -28,18 +26,6 @@ constexpr Traits kTraits[] = {
 const Traits &traitsOf(NativeLanguage language) {
   return *std::find_if(std::begin(kTraits), std::end(kTraits),
                        [&](const Traits &row) { return row.language == language; });
-}
-
-std::optional<std::uint32_t> numberBehind(std::string_view word, std::string_view letters) {
-  constexpr std::size_t kMaxDigits = 6;
-  if (!word.starts_with(letters))
-    return std::nullopt;
-  const std::string_view digits = word.substr(letters.size());
-  const bool padded = digits.size() > 1 && digits.front() == '0';
-  if (digits.empty() || digits.size() > kMaxDigits || padded ||
-      digits.find_first_not_of("0123456789") != std::string_view::npos)
-    return std::nullopt;
-  return parseInteger(digits);
 }
 
 } // namespace arbiter::fp::native

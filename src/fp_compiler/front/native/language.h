@@ -1,7 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <optional>
-#include <string_view>
 
 #include "fp_compiler/native_interface.h"
 
@@ -31,10 +29,5 @@ struct Traits {
 
 /// The number of texture coordinate sets, TEX0 to TEX7.
 inline constexpr std::uint32_t kTexCoords = 8;
-
-/// Returns the number after \p letters: 12 for "R12". Returns nothing for any other word, such as
-/// "R012".
-[[nodiscard]] std::optional<std::uint32_t> numberBehind(std::string_view word,
-                                                        std::string_view letters);
 
 } // namespace arbiter::fp::native

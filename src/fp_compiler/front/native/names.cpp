@@ -13,7 +13,7 @@ bool NativeParser::parseDefine() {
   if (!newName(name) || !expect(TokenKind::Equals, "'='", "a constant has a value") ||
       !parseValue(named) || !endStatement())
     return false;
-  declare(name, named);
+  declareIn(m_named, name, named, SymbolKind::Parameter);
   m_interface.constants.emplace_back(text(name));
   return true;
 }
@@ -34,7 +34,7 @@ bool NativeParser::parseDeclare() {
     return true;
   }
   named.local = std::uint16_t(std::min(m_limits.localParameters, kMaxLocals) + number);
-  declare(name, named);
+  declareIn(m_named, name, named, SymbolKind::Parameter);
   m_interface.named.push_back({std::string(text(name)), named.local, named.value});
   return true;
 }
@@ -51,15 +51,6 @@ bool NativeParser::newName(Token &name) {
     error(DiagnosticId::ReservedName, name.span, quote(word) + " is a word of the language",
           "choose another name");
   return true;
-}
-
-void NativeParser::declare(const Token &name, const Named &named) {
-  note(name, Access::Declare, SymbolKind::Parameter);
-  Named &known = m_named[text(name)];
-  if (known.kind != Named::Kind::Unknown)
-    return redeclared(name, known.declared);
-  known = named;
-  known.declared = name.span;
 }
 
 /// Parses a vector, a number with its sign, or the name of a constant.
@@ -81,12 +72,12 @@ bool NativeParser::parseValue(Named &named) {
 
 /// Consumes the name of a constant of that kind. Returns nullptr if another token is next.
 const NativeParser::Named *NativeParser::takeNamed(Named::Kind kind) {
-  const auto found =
-      at(TokenKind::Identifier) ? m_named.find(text(m_tokens.peek())) : m_named.end();
-  if (found == m_named.end() || found->second.kind != kind)
+  const Named *const found =
+      at(TokenKind::Identifier) ? m_named.find(text(m_tokens.peek())) : nullptr;
+  if (!found || found->kind != kind)
     return nullptr;
   note(m_tokens.next(), Access::Read);
-  return &found->second;
+  return found;
 }
 
 /// Parses <scalarConstant>: a number with its sign, or the name of one.
@@ -103,7 +94,7 @@ bool NativeParser::parseScalar(float &value) {
 /// Parses a name as an operand: a constant, or a parameter that can be set.
 bool NativeParser::parseNamed(const Token &name, Base &base) {
   note(name, Access::Read);
-  const Named &named = m_named.at(text(name));
+  const Named &named = *m_named.find(text(name));
   base.operand.file = ir::File::Parameter;
   switch (named.kind) {
   case Named::Kind::Unknown: // which was reported

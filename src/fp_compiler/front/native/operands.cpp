@@ -90,14 +90,14 @@ bool NativeParser::parseRegister(Base &base) {
           "compute in a temporary");
     return false;
   }
-  if (m_named.contains(text(first)))
+  if (m_named.find(text(first)))
     return parseNamed(first, base);
   if (!fragment() || numberBehind(text(first), "R") || numberBehind(text(first), "H"))
     return notThere(first, "a register");
   const std::string hint = operandHint(first);
   error(DiagnosticId::UndeclaredName, first.span, quote(text(first)) + " is not declared",
         hint.empty() ? "DEFINE a constant or DECLARE a parameter before it is used" : hint);
-  m_named.emplace(text(first), Named{});
+  m_named.declare(text(first), {});
   return !c_like::isCall(m_text, first.span);
 }
 

@@ -94,9 +94,6 @@ Vocabulary NativeParser::statementWords() const {
   Vocabulary result{.words = {"END"}, .saturate = fragment() ? "_SAT" : "", .parts = {}};
   if (fragment())
     result.words.insert(result.words.end(), {"DEFINE", "DECLARE"});
-  for (int i = 0; i < ir::kOpcodeRowCount; ++i)
-    if (nv::offers(m_traits.language, ir::Opcode(i)))
-      result.words.emplace_back(info(ir::Opcode(i)).mnemonic);
   return result;
 }
 
@@ -144,7 +141,7 @@ void NativeParser::bindAllRows(Span where) {
 }
 
 void NativeParser::skipped(const Token &token) {
-  if (token.kind == TokenKind::Identifier && m_named.contains(text(token)))
+  if (token.kind == TokenKind::Identifier && m_named.find(text(token)))
     note(token, Access::Read);
 }
 

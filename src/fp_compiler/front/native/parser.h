@@ -3,12 +3,12 @@
 #include <optional>
 #include <set>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "fp_compiler/front/assembly/parser.h"
 #include "fp_compiler/front/native/language.h"
 #include "fp_compiler/front/nv/lowering.h"
+#include "fp_compiler/front/words/numeral.h"
 
 namespace arbiter::fp::native {
 
@@ -45,6 +45,9 @@ private:
   void parseStatement() override;
   bool unknownStatement(const Token &first);
   [[nodiscard]] Vocabulary statementWords() const override;
+  [[nodiscard]] bool offers(ir::Opcode op) const override {
+    return nv::offers(m_traits.language, op);
+  }
   void finish(Span end) override;
   void bindAllRows(Span where);
   void skipped(const Token &token) override;
@@ -57,7 +60,7 @@ private:
   }
   /// Returns whether a name may be a word that begins statements (newName()).
   [[nodiscard]] bool endsParts(const Token &word) const override {
-    return endsStatement(word) && !m_named.contains(text(word));
+    return endsStatement(word) && !m_named.find(text(word));
   }
   [[nodiscard]] bool hasConditions() const override { return m_traits.conditions; }
   [[nodiscard]] bool hasAddressVectors() const override { return m_traits.addressVectors; }
@@ -105,7 +108,6 @@ private:
   bool parseDefine();
   bool parseDeclare();
   bool newName(Token &name);
-  void declare(const Token &name, const Named &named);
   bool parseValue(Named &named);
   bool parseScalar(float &value) override;
   [[nodiscard]] const Named *takeNamed(Named::Kind kind);
@@ -118,7 +120,7 @@ private:
   std::array<std::optional<std::uint16_t>, 96> m_temporaries; ///< R0 to R31, H0 to H63
   std::optional<std::uint16_t> m_nullRegister;
   std::array<std::optional<std::uint16_t>, 2> m_addresses;
-  std::unordered_map<std::string_view, Named> m_named;
+  Declarations<Named> m_named;
   std::array<std::optional<ir::TexTarget>, 32> m_targets; ///< by image unit
 
   std::set<std::uint16_t> m_rowsRead, m_rowsWritten;

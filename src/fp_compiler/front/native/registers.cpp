@@ -51,7 +51,7 @@ bool NativeParser::parseDestinationRegister(ir::Destination &destination) {
   const std::string_view word = text(name);
   const bool binding = at(TokenKind::OpenBracket) &&
                        (word == (fragment() ? "f" : "v") || word == (fragment() ? "p" : "c"));
-  if (!binding && !m_named.contains(word))
+  if (!binding && !m_named.find(word))
     return notThere(name, expected.c_str());
   error(DiagnosticId::ReadOnly, name.span,
         std::string(word == "f" || word == "v" ? "an attribute" : "a parameter") +

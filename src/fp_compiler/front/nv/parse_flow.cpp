@@ -119,7 +119,15 @@ bool Parser::atAddress() const {
 
 /// Parses "[" <addrReg> "." <component> (("+" | "-") <integer>)? "]" of a binding. In fragment
 /// programs the register is A0, which has only x and takes no negative values.
-bool Parser::parseIndexed(std::optional<std::uint16_t> &sequence) {
+/// \param sequence of the `count` rows that `bind` returns, which is made at its first use
+bool Parser::parseIndexed(std::optional<std::uint16_t> &sequence, std::uint32_t count,
+                          const std::function<std::uint16_t(std::uint8_t)> &bind) {
+  if (!sequence) {
+    sequence = std::uint16_t(m_sequences.size());
+    std::vector<std::uint16_t> &rows = m_sequences.emplace_back();
+    for (std::uint32_t i = 0; i < byteLimit(count); ++i)
+      rows.push_back(bind(std::uint8_t(i)));
+  }
   m_tokens.next();
   const Token name = m_tokens.next();
   const bool vertex = isVertex();

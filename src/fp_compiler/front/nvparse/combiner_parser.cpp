@@ -158,16 +158,8 @@ void CombinerParser::parseStageBody(Stage &stage, Pair &own) {
   while (!m_reporter.full()) {
     const Token &token = m_tokens.peek();
     const std::string_view word = text(token);
-    if (m_tokens.accept(TokenKind::CloseBrace)) {
-      if (!rgb && !alpha)
-        error(DiagnosticId::RcPortion, {m_tokens.lastEnd() - 1, m_tokens.lastEnd()},
-              "a stage without rgb { } and alpha { }", "leave the stage out");
+    if (endsBlock(!rgb && !alpha, "a stage without rgb { } and alpha { }", "leave the stage out"))
       return;
-    }
-    if (at(TokenKind::EndOfText)) {
-      unexpected("'}'");
-      return;
-    }
     if (atWord("const0") || atWord("const1")) {
       if (rgb || alpha)
         error(DiagnosticId::RcOrder, token.span, "a stage's constants stand before its blocks");
@@ -194,6 +186,19 @@ void CombinerParser::parseStageBody(Stage &stage, Pair &own) {
     m_tokens.next();
     recover();
   }
+}
+
+/// Consumes the brace that ends a block, or reports the text's end in its place. Returns whether it
+/// was one of the two. A block that is empty is an error.
+bool CombinerParser::endsBlock(bool empty, const char *message, const char *hint) {
+  if (m_tokens.accept(TokenKind::CloseBrace)) {
+    if (empty)
+      error(DiagnosticId::RcPortion, m_tokens.last(), message, hint);
+    return true;
+  }
+  if (at(TokenKind::EndOfText))
+    unexpected("'}'");
+  return at(TokenKind::EndOfText);
 }
 
 /// Copies constants for every stage to each stage without its own.

@@ -27,6 +27,7 @@ private:
   bool parseConstant(Pair &to, const char *where);
   void parseStage();
   void parseStageBody(combiners::Stage &stage, Pair &own);
+  bool endsBlock(bool empty, const char *message, const char *hint);
   void finish(texture_shader::Values &values);
 
   // combiner_portion.cpp

@@ -71,16 +71,9 @@ void CombinerParser::parsePortion(Portion &portion, Usage usage) {
   if (!expect(TokenKind::OpenBrace, "'{'"))
     return recover();
   while (!m_reporter.full()) {
-    if (m_tokens.accept(TokenKind::CloseBrace)) {
-      if (m_products == 0 && m_reporter.errorCount() == errorsBefore)
-        error(DiagnosticId::RcPortion, {m_tokens.lastEnd() - 1, m_tokens.lastEnd()},
-              "a block without a product", "leave the block out");
+    if (endsBlock(m_products == 0 && m_reporter.errorCount() == errorsBefore,
+                  "a block without a product", "leave the block out"))
       return;
-    }
-    if (at(TokenKind::EndOfText)) {
-      unexpected("'}'");
-      return;
-    }
     if (!parsePortionStatement(portion, usage))
       recover();
   }

@@ -4,6 +4,8 @@
 #include <iterator>
 #include <string>
 
+#include "fp_compiler/front/words/numeral.h"
+
 namespace arbiter::fp::nvparse {
 
 namespace {
@@ -33,9 +35,8 @@ std::optional<NamedRegister> registerOf(std::string_view word) {
   for (const RegisterRow &row : kRegisters) {
     if (row.count == 0 && word == row.word)
       return NamedRegister{row.first, false};
-    if (row.count != 0 && word.size() == row.word.size() + 1 && word.starts_with(row.word))
-      if (const int number = word.back() - '0'; number >= 0 && number < row.count)
-        return NamedRegister{Register(int(row.first) + number), false};
+    if (const auto number = numberBehind(word, row.word); number && int(*number) < row.count)
+      return NamedRegister{Register(int(row.first) + int(*number)), false};
   }
   return std::nullopt;
 }

@@ -43,6 +43,18 @@ std::uint32_t parseInteger(std::string_view digits) {
   return std::uint32_t(value);
 }
 
+std::optional<std::uint32_t> numberBehind(std::string_view word, std::string_view letters,
+                                          std::size_t maxDigits) {
+  if (!word.starts_with(letters))
+    return std::nullopt;
+  const std::string_view digits = word.substr(letters.size());
+  const bool padded = digits.size() > 1 && digits.front() == '0';
+  if (digits.empty() || digits.size() > maxDigits || padded ||
+      digits.find_first_not_of("0123456789") != std::string_view::npos)
+    return std::nullopt;
+  return parseInteger(digits);
+}
+
 FloatValue parseFloat(std::string_view numeral) {
   float value = 0;
   const auto [end, error] = std::from_chars(numeral.data(), numeral.data() + numeral.size(), value);
