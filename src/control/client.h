@@ -51,6 +51,8 @@ public:
   [[nodiscard]] bool wantsToWrite() const { return m_channel.wantsToWrite(); }
   /// Returns the answer to the request, once; nothing until it has arrived.
   [[nodiscard]] std::optional<Answer> takeAnswer(std::uint64_t id);
+  /// Returns the next descriptor that came with an answer (attached.h), or an empty one.
+  [[nodiscard]] Descriptor takeDescriptor() { return m_channel.takeDescriptor(); }
   /// Returns the next answer that no call() waits for, in order of arrival; nothing if there is
   /// none.
   [[nodiscard]] std::optional<std::pair<std::uint64_t, Answer>> nextAnswer();

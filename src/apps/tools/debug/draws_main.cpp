@@ -11,40 +11,25 @@ namespace {
 
 using debug::DebugError;
 using debug::Drawer;
-using nlohmann::json;
-
-std::string stringAt(const json &what, const char *name) {
-  const auto found = what.find(name);
-  return found != what.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
-int integerAt(const json &what, const char *name) {
-  const auto found = what.find(name);
-  return found != what.end() && found->is_number_integer() ? found->get<int>() : -1;
-}
-
-std::vector<std::string> stringsAt(const json &what, const char *name) {
-  std::vector<std::string> strings;
-  for (const json &each : what.value(name, json::array()))
-    if (each.is_string())
-      strings.push_back(each.get<std::string>());
-  return strings;
-}
 
 /// Opens {path, text, textures, pass, frame}. The text comes from the editor and may differ from
 /// the file's.
-Result<std::unique_ptr<Drawer>, DebugError> open(const json &what) {
-  if (!what.is_object())
-    return DebugError{"nothing to open"};
+Result<std::unique_ptr<Drawer>, DebugError> open(const control::Json &what) {
+  control::Params params(what);
   scene::Document document =
-      scene::assemble(stringAt(what, "path"), stringAt(what, "text"), scene::readText);
-  if (std::string fault = giveTextures(stringsAt(what, "textures"), document); !fault.empty())
+      scene::assemble(params.text("path"), params.text("text"), scene::readText);
+  std::vector<std::string> textures;
+  for (const control::Json &each : what.value("textures", control::Json::array()))
+    if (each.is_string())
+      textures.push_back(each.get<std::string>());
+  if (std::string fault = giveTextures(textures, document); !fault.empty())
     return DebugError{std::move(fault)};
-  const int pass = integerAt(what, "pass"), frame = integerAt(what, "frame");
-  if (pass < 0 || std::size_t(pass) >= document.passes.size() || frame < 0)
+  const auto pass = std::size_t(params.integer("pass", 0, INT32_MAX));
+  const int frame = int(params.integer("frame", 0, INT32_MAX));
+  if (!params.ok() || pass >= document.passes.size())
     return DebugError{"no such pass or frame"};
   return debug::FrameDrawer::open(
-      std::make_unique<debug::DocumentSubject>(std::move(document), std::size_t(pass), frame));
+      std::make_unique<debug::DocumentSubject>(std::move(document), pass, frame));
 }
 
 } // namespace

@@ -24,7 +24,7 @@ LayerArguments layerOf(const DrawWith &with) {
 } // namespace
 
 Result<std::unique_ptr<DrawClient>, DebugError> startDrawing(const DrawWith &with,
-                                                             const nlohmann::json &what) {
+                                                             const control::Json &what) {
   std::vector<Assignment> environment;
   if (with.backend != Backend::Bare) {
     const auto files = findLayer(with.library);
@@ -36,7 +36,7 @@ Result<std::unique_ptr<DrawClient>, DebugError> startDrawing(const DrawWith &wit
     environment = std::move(found).value();
   }
   auto client = DrawClient::start(kNames[std::size_t(with.backend)], [&] {
-    (void)execute(environment, {"/proc/self/exe", kDrawsVerb});
+    return execute(environment, {"/proc/self/exe", kDrawsVerb});
   });
   if (client)
     if (auto error = client.value()->open(what))

@@ -20,6 +20,6 @@ struct DrawWith {
 /// Starts `arbiter debug-draws` and opens \p what in it; loads the layer except for Bare. Fails if
 /// the layer or GL is missing, or if the document lacks something.
 [[nodiscard]] Result<std::unique_ptr<DrawClient>, DebugError>
-startDrawing(const DrawWith &with, const nlohmann::json &what);
+startDrawing(const DrawWith &with, const control::Json &what);
 
 } // namespace arbiter::tools::debug

@@ -1,12 +1,14 @@
 #include <csignal>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
+#include <sys/mman.h>
 
 #include "apps/tools/debug/drawn_by.h"
 #include "apps/tools/debug/draws/client.h"
 #include "apps/tools/debug/draws/server.h"
 #include "apps/tools/debug/testing/fake_drawer.h"
+#include "control/attached.h"
+#include "control/server.h"
 
 namespace arbiter::tools::debug {
 namespace {
@@ -18,19 +20,39 @@ constexpr const char *kText = "!!ARBfp1.0\nMOV result.color, fragment.color;\nEN
 /// Starts a process that draws with the fake drawer, and returns its client.
 std::unique_ptr<DrawClient> started() {
   auto client = DrawClient::start("another", [] {
-    ::_exit(serveDraws(
-        0, [](const nlohmann::json &what) -> Result<std::unique_ptr<Drawer>, DebugError> {
-          if (!what.is_string())
-            return DebugError{"what is no text"};
-          return std::unique_ptr<Drawer>(new FakeDrawer(what.get<std::string>(), 5, 3));
-        }));
+    return serveDraws(
+        0, [](const control::Json &what) -> Result<std::unique_ptr<Drawer>, DebugError> {
+          if (!what["text"].is_string())
+            return DebugError{"what is no text", true};
+          return std::unique_ptr<Drawer>(new FakeDrawer(what["text"].get<std::string>(), 5, 3));
+        });
   });
   return std::move(client).value();
 }
 
+/// Gives one answer after the other to any requests.
+class Nonsense final : public control::Service {
+public:
+  explicit Nonsense(control::Server &server) : m_server(server) {}
+  void connected(control::ClientId, pid_t) override {}
+  void disconnected(control::ClientId) override {}
+  void received(control::ClientId client, control::Request request) override {
+    const std::vector<std::uint8_t> three(3);
+    m_server.send(client, control::answerLine(request.id, m_answers[m_at]),
+                  m_at == 1 ? control::memoryOf(three, MFD_CLOEXEC) : control::Descriptor());
+    ++m_at;
+  }
+
+private:
+  control::Server &m_server;
+  const std::array<control::Json, 4> m_answers = {
+      control::Json::array({1}), control::Json::object(), {{"bytes", "x"}}, {{"width", "x"}}};
+  std::size_t m_at = 0;
+};
+
 TEST(Draws, WhatTheOtherProcessDrawsComesBack) {
   const auto client = started();
-  ASSERT_FALSE(client->open(kText));
+  ASSERT_FALSE(client->open({{"text", kText}}));
   EXPECT_EQ(client->size(), (std::array<int, 2>{5, 3}));
   FakeDrawer here(kText, 5, 3);
   const Region region{1, 0, 4, 3};
@@ -48,8 +70,9 @@ TEST(Draws, WhatTheOtherProcessDrawsComesBack) {
 TEST(Draws, WrongRequestsAreErrors) {
   const auto client = started();
   EXPECT_THAT(client->draw(kText, 1, {}).error().message, HasSubstr("nothing is open"));
-  EXPECT_THAT(client->open(7)->message, HasSubstr("no text"));
-  ASSERT_FALSE(client->open(kText));
+  EXPECT_THAT(client->open({{"text", 7}})->message, HasSubstr("no text"));
+  EXPECT_TRUE(client->open({{"text", 7}})->isOfUsage);
+  ASSERT_FALSE(client->open({{"text", kText}}));
   for (const Region &region : {Region{5, 0, 1, 1}, {0, 0, 6, 1}, {-1, 0, 1, 1}, {0, 0, 0, 1}})
     EXPECT_THAT(client->draw(kText, 1, region).error().message, HasSubstr("outside the picture"));
   EXPECT_THAT(client->draw(kText, 5, {}).error().message, HasSubstr("targets"));
@@ -59,9 +82,9 @@ TEST(Draws, WrongRequestsAreErrors) {
 }
 
 TEST(Draws, AProcessThatDiesIsNamed) {
-  auto client = DrawClient::start("swrast", [] { ::raise(SIGABRT); });
+  auto client = DrawClient::start("swrast", [] { return ::raise(SIGABRT); });
   ASSERT_TRUE(client);
-  const auto error = client.value()->open("x");
+  const auto error = client.value()->open(control::Json::object());
   ASSERT_TRUE(error);
   EXPECT_THAT(error->message, HasSubstr("swrast"));
   EXPECT_THAT(error->message, HasSubstr("signal 6"));
@@ -70,16 +93,15 @@ TEST(Draws, AProcessThatDiesIsNamed) {
 
 TEST(Draws, AnAnswerThatIsNonsenseIsAnError) {
   auto client = DrawClient::start("odd", [] {
-    Channel channel(0);
-    for (const char *answer : {"[1]", "{\"bytes\": 3}", "{\"bytes\": \"x\"}", "{\"width\": \"x\"}"})
-      if (!channel.receive(-1) || !channel.send(answer))
-        break;
-    ::_exit(0);
+    const auto server = control::Server::connected(control::Descriptor(0));
+    Nonsense service(*server);
+    server->run(service);
+    return 0;
   });
-  EXPECT_THAT(client.value()->open("x")->message, HasSubstr("nonsense"));
+  EXPECT_THAT(client.value()->open(control::Json::object())->message, HasSubstr("nonsense"));
   EXPECT_THAT(client.value()->draw(kText, 1, {}).error().message, HasSubstr("number of pixels"));
   EXPECT_THAT(client.value()->draw(kText, 1, {}).error().message, HasSubstr("number of pixels"));
-  EXPECT_THAT(client.value()->open("x")->message, HasSubstr("no picture"));
+  EXPECT_THAT(client.value()->open(control::Json::object())->message, HasSubstr("no picture"));
 }
 
 TEST(DrawnBy, SaysWhatTheRasterizerLeft) {

@@ -1,162 +1,159 @@
 #include "apps/tools/debug/draws/server.h"
 
-#include "apps/tools/debug/draws/channel.h"
+#include <cstring>
+#include <sys/mman.h>
+
+#include "apps/tools/debug/draws/remote_drawer.h"
 #include "apps/tools/debug/pixel/cut.h"
+#include "control/attached.h"
+#include "control/base64.h"
+#include "control/server.h"
 
 namespace arbiter::tools::debug {
 
 namespace {
 
-using Json = nlohmann::json;
+using control::Answer;
+using control::Fault;
+using control::Json;
+using control::Params;
 
 constexpr std::size_t kMaxLocals = 16;
 
-struct Answer {
-  Json json;
-  std::vector<std::uint8_t> bytes;
-};
-
-Answer failure(const std::string &message, bool isOfUsage = false) {
-  return {{{"error", message}, {"of_usage", isOfUsage}}, {}};
+Fault faultOf(const DebugError &error) {
+  return {error.isOfUsage ? control::kWrongParameters : control::kNotPossible, error.message, {}};
 }
 
-int integer(const Json &json, const char *name) {
-  const auto found = json.find(name);
-  return found != json.end() && found->is_number_integer() ? found->get<int>() : -1;
+/// Decodes local parameters: base64 of four floats each. Returns nothing for other texts.
+std::optional<std::vector<Drawer::Vec4>> localsOf(Params &params) {
+  const auto bytes = control::fromBase64(params.text("locals", ""));
+  if (!bytes || bytes->size() % sizeof(Drawer::Vec4) != 0 ||
+      bytes->size() > kMaxLocals * sizeof(Drawer::Vec4))
+    return {};
+  std::vector<Drawer::Vec4> locals(bytes->size() / sizeof(Drawer::Vec4));
+  if (!locals.empty())
+    std::memcpy(locals.data()->data(), bytes->data(), bytes->size());
+  return locals;
 }
 
-class Server {
+/// Answers on the thread that GL is current on.
+class Draws final : public control::Service {
 public:
-  Server(Channel &channel, const OpenDrawer &open) : m_channel(channel), m_open(open) {}
+  Draws(control::Server &server, const OpenDrawer &open) : m_server(server), m_open(open) {}
 
-  int run() {
-    while (const auto line = m_channel.receive(-1)) {
-      Answer answer = reply(Json::parse(*line, nullptr, false));
-      if (!answer.json.contains("error") && !answer.bytes.empty())
-        answer.json["bytes"] = answer.bytes.size();
-      const std::string text = answer.json.dump(-1, ' ', false, Json::error_handler_t::replace);
-      if (!m_channel.send(text, answer.bytes.data(), answer.bytes.size()))
-        return 1;
-    }
-    return 0;
+  void connected(control::ClientId, pid_t) override {}
+  void disconnected(control::ClientId) override {}
+  void received(control::ClientId client, control::Request request) override {
+    Params params(request.params);
+    const Answer answer = request.method == "pixel.open" ? open(request.params)
+                          : m_drawer                     ? reply(request.method, params)
+                                     : Fault{control::kNotPossible, "nothing is open", {}};
+    m_server.send(client, control::answerLine(request.id, answer), std::move(m_memory));
   }
 
 private:
-  Answer reply(const Json &request) {
-    if (!request.is_object())
-      return failure("no request");
-    if (request.contains("open"))
-      return open(request["open"]);
-    if (!m_drawer)
-      return failure("nothing is open");
-    if (request.contains("draw") && request["draw"].is_string())
-      return draw(request);
-    if (request.contains("picture"))
-      return picture(request["picture"]);
-    if (request.contains("texture"))
-      return texture(request);
-    if (request.contains("state"))
-      return state(request);
-    return failure("no such request");
+  Answer reply(const std::string &method, Params &params) {
+    if (method == "pixel.draw")
+      return draw(params);
+    if (method == "pixel.picture")
+      return picture(params);
+    if (method == "pixel.texture")
+      return texture(params);
+    if (method == "pixel.state")
+      return state(params);
+    return Fault{control::kNoMethod, "no such request", {}};
   }
 
   Answer open(const Json &what) {
     auto drawer = m_open(what);
     if (!drawer)
-      return failure(drawer.error().message, drawer.error().isOfUsage);
+      return faultOf(drawer.error());
     m_drawer = std::move(drawer).value();
     const auto [width, height] = m_drawer->size();
-    return {{{"width", width}, {"height", height}}, {}};
+    return Json{{"width", width}, {"height", height}};
   }
 
-  /// Returns a region within the picture, or nothing.
-  std::optional<Region> regionOf(const Json &json) const {
-    if (!json.is_object())
-      return {};
-    const Region region{integer(json, "x"), integer(json, "y"), integer(json, "width"),
-                        integer(json, "height")};
+  /// Reads a region within the picture.
+  Region regionOf(Params &params) const {
     const auto [width, height] = m_drawer->size();
-    const bool inside = region.x >= 0 && region.y >= 0 && region.width > 0 && region.height > 0 &&
-                        region.width <= width - region.x && region.height <= height - region.y;
-    return inside ? std::optional(region) : std::nullopt;
+    Region region;
+    region.x = int(params.integer("x", 0, width - 1));
+    region.y = int(params.integer("y", 0, height - 1));
+    region.width = int(params.integer("width", 1, width - region.x));
+    region.height = int(params.integer("height", 1, height - region.y));
+    return region;
   }
 
-  template <typename Item>
-  static Answer itemsOf(const Result<std::vector<Item>, DebugError> &drawn) {
+  template <typename Item> Answer answerOf(const Result<std::vector<Item>, DebugError> &drawn) {
     if (!drawn)
-      return failure(drawn.error().message);
+      return faultOf(drawn.error());
     const auto *const bytes = reinterpret_cast<const std::uint8_t *>(drawn.value().data());
-    return {Json::object(), {bytes, bytes + drawn.value().size() * sizeof(Item)}};
+    m_memory = control::memoryOf({bytes, drawn.value().size() * sizeof(Item)}, MFD_CLOEXEC);
+    if (!m_memory)
+      return Fault{control::kNotPossible, "no memory for the pixels", {}};
+    return Json::object();
   }
 
-  /// Returns at most kMaxLocals rows of four numbers, or nothing.
-  static std::optional<std::vector<Drawer::Vec4>> localsOf(const Json &json) {
-    if (!json.is_array() || json.size() > kMaxLocals)
-      return {};
-    std::vector<Drawer::Vec4> locals;
-    for (const Json &row : json) {
-      if (!row.is_array() || row.size() != 4)
-        return {};
-      Drawer::Vec4 &value = locals.emplace_back();
-      for (std::size_t i = 0; i < 4; ++i) {
-        if (!row[i].is_number())
-          return {};
-        value[i] = row[i].get<float>();
-      }
-    }
-    return locals;
-  }
-
-  Answer draw(const Json &request) {
-    const auto region = regionOf(request.value("region", Json()));
-    const int targets = integer(request, "targets");
-    if (!region || targets < 1 || targets > int(kMaxTargets))
-      return failure("a region outside the picture, or a wrong number of targets");
-    const auto locals = localsOf(request.value("locals", Json::array()));
+  Answer draw(Params &params) {
+    const Region region = regionOf(params);
+    const auto targets = std::size_t(params.integer("targets", 1, kMaxTargets));
+    const std::string text = params.text("text");
+    if (!params.ok())
+      return Fault{
+          control::kNotPossible, "a region outside the picture, or a wrong number of targets", {}};
+    const auto locals = localsOf(params);
     if (!locals)
-      return failure("no values of local parameters");
-    return itemsOf(
-        m_drawer->draw(request["draw"].get<std::string>(), std::size_t(targets), *region, *locals));
+      return Fault{control::kNotPossible, "no values of local parameters", {}};
+    return answerOf(m_drawer->draw(text, targets, region, *locals));
   }
 
-  Answer picture(const Json &request) {
-    const auto region = regionOf(request);
-    return region ? itemsOf(m_drawer->picture(*region)) : failure("a region outside the picture");
+  Answer picture(Params &params) {
+    const Region region = regionOf(params);
+    return params.ok() ? answerOf(m_drawer->picture(region))
+                       : Fault{control::kNotPossible, "a region outside the picture", {}};
   }
 
-  Answer texture(const Json &request) {
-    const int unit = integer(request, "texture"), target = integer(request, "target");
-    if (unit < 0 || target < 0 || target > int(fp::ir::TexTarget::ShadowRect))
-      return failure("no such texture");
-    const auto size = m_drawer->textureSize(unsigned(unit), fp::ir::TexTarget(target));
-    return size ? Answer{{{"size", size.value()}}, {}} : failure(size.error().message);
+  Answer texture(Params &params) {
+    using fp::ir::TexTarget;
+    const auto unit = unsigned(params.integer("unit", 0, INT32_MAX));
+    const std::string word = params.text("target");
+    int target = 0;
+    while (target <= int(TexTarget::ShadowRect) && word != targetWord(TexTarget(target)))
+      ++target;
+    if (!params.ok() || target > int(TexTarget::ShadowRect))
+      return Fault{control::kNotPossible, "no such texture", {}};
+    const auto size = m_drawer->textureSize(unit, TexTarget(target));
+    return size ? Answer(Json{{"size", size.value()}}) : faultOf(size.error());
   }
 
-  Answer state(const Json &request) {
+  Answer state(Params &params) {
     using fp::ir::StateItem;
     fp::ir::StateRef state;
-    const int item = integer(request, "state"), index = integer(request, "index");
-    const int row = integer(request, "row");
-    if (item < int(StateItem::TexGenEye) || item > int(StateItem::PointAttenuation) || index < 0 ||
-        index > 255 || row < 0 || row > 3)
-      return failure("no such state of vertex programs");
-    state.item = StateItem(item);
-    state.index = std::uint8_t(index);
-    state.row = std::uint8_t(row);
+    state.item = StateItem(params.integer("item", std::int64_t(StateItem::TexGenEye),
+                                          std::int64_t(StateItem::PointAttenuation)));
+    state.index = std::uint8_t(params.integer("index", 0, 255));
+    state.row = std::uint8_t(params.integer("row", 0, 3));
+    if (!params.ok())
+      return Fault{control::kNotPossible, "no such state of vertex programs", {}};
     const auto value = m_drawer->vertexState(state);
-    return value ? Answer{{{"value", value.value()}}, {}} : failure(value.error().message);
+    return value ? Answer(Json{{"value", value.value()}}) : faultOf(value.error());
   }
 
-  Channel &m_channel;
+  control::Server &m_server;
   const OpenDrawer &m_open;
   std::unique_ptr<Drawer> m_drawer;
+  control::Descriptor m_memory; ///< goes with the next answer
 };
 
 } // namespace
 
 int serveDraws(int descriptor, const OpenDrawer &open) {
-  Channel channel(descriptor);
-  return Server(channel, open).run();
+  const auto server = control::Server::connected(control::Descriptor(descriptor));
+  if (!server)
+    return 1;
+  Draws draws(*server, open);
+  server->run(draws);
+  return 0;
 }
 
 } // namespace arbiter::tools::debug

@@ -1,23 +1,23 @@
 #pragma once
 #include <functional>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "apps/tools/debug/pixel/drawer.h"
+#include "control/message.h"
 
 namespace arbiter::tools::debug {
 
-/// Makes the drawer for an `open` request.
+/// Makes the drawer for the parameters of pixel.open.
 using OpenDrawer =
-    std::function<Result<std::unique_ptr<Drawer>, DebugError>(const nlohmann::json &what)>;
+    std::function<Result<std::unique_ptr<Drawer>, DebugError>(const control::Json &what)>;
 
-/// Answers the requests of a DrawClient until it closes the socket. Requests and answers are lines
-/// of JSON. An answer has "error", and "of_usage" of DebugError, or
-///   {"open": ..}                                 -> {"width", "height"}
-///   {"draw": text, "targets": n, "region": R}    -> {"bytes": n * 16 * pixels}, then the bytes
-///   {"picture": R}                               -> {"bytes": 4 * pixels}, then the bytes
-///   {"texture": unit, "target": n}               -> {"size": [width, height, depth]}
-/// with R = {"x", "y", "width", "height"}.
+/// Answers the requests of a DrawClient until it closes the socket. They are pixel.draw and
+/// pixel.texture of the control protocol (docs/write/control.md), and
+///   pixel.open {..}                   -> {width, height}
+///   pixel.picture {x, y, width, height} -> {}
+///   pixel.state {item, index, row}    -> {value: [4 numbers]}
+/// What is drawn comes as memory beside the answer (control/attached.h), in any size.
+/// \param descriptor of the connected socket, which is then closed
 /// \returns the process's exit code
 [[nodiscard]] int serveDraws(int descriptor, const OpenDrawer &open);
 
