@@ -8,8 +8,8 @@
 
 namespace arbiter::control {
 
-Descriptor memoryOf(std::span<const std::uint8_t> bytes, unsigned flags) {
-  Descriptor memory(memfd_create("arbiter-bytes", flags));
+Descriptor memoryOf(std::span<const std::uint8_t> bytes) {
+  Descriptor memory(memfd_create("arbiter-bytes", MFD_CLOEXEC));
   const std::string_view text(reinterpret_cast<const char *>(bytes.data()), bytes.size());
   const bool good = memory && writeAll(memory.get(), text) && lseek(memory.get(), 0, SEEK_SET) == 0;
   return good ? std::move(memory) : Descriptor();

@@ -9,7 +9,7 @@
 #include "apps/tools/commands.h"
 #include "apps/tools/doctor/finding.h"
 #include "apps/tools/input.h"
-#include "apps/tools/launch/launch.h"
+#include "apps/tools/launch/in_layer.h"
 #include "apps/tools/launch/supervise.h"
 #include "apps/tools/shader_test.h"
 #include "util/file.h"
@@ -101,23 +101,18 @@ int capture(const CaptureArguments &arguments) {
   }
   LayerArguments layer = arguments.layer;
   layer.capture = arguments.folder.empty() ? freeFolder(arguments.command[0]) : arguments.folder;
-  const auto files = findLayer(layer.library);
-  if (!files) {
-    complain(files.error().message);
-    return kExitUsage;
-  }
-  const auto environment = layerEnvironment(files.value(), layer);
-  if (!environment) {
-    complain(environment.error().message);
+  const auto launch = layerLaunch(layer);
+  if (!launch) {
+    complain(launch.error().message);
     return kExitUsage;
   }
   if (const std::string fault = prepareFolder(layer.capture); !fault.empty()) {
     complain(fault);
     return kExitUsage;
   }
-  doctor::sayWhatIsInTheWay(arguments.command, files.value());
+  doctor::sayWhatIsInTheWay(arguments.command, launch.value().files);
   const auto nothing = [] {}; // if this process is killed, the folder stays without an index
-  const int status = supervise(environment.value(), arguments.command, nothing);
+  const int status = supervise(launch.value().environment, arguments.command, nothing);
   if (status < 0)
     return kExitInternal;
   const int code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);

@@ -5,7 +5,7 @@
 #include "apps/tools/commands.h"
 #include "apps/tools/doctor/finding.h"
 #include "apps/tools/input.h"
-#include "apps/tools/launch/launch.h"
+#include "apps/tools/launch/in_layer.h"
 #include "apps/tools/launch/shell_text.h"
 #include "apps/tools/launch/supervise.h"
 #include "util/record/live_record.h"
@@ -26,31 +26,27 @@ std::string recordPattern(const std::vector<Assignment> &environment) {
 } // namespace
 
 int run(const RunArguments &arguments) {
-  const auto files = findLayer(arguments.layer.library);
-  if (!files) {
-    complain(files.error().message);
+  const auto launch = layerLaunch(arguments.layer);
+  if (!launch) {
+    complain(launch.error().message);
     return kExitUsage;
   }
-  const auto environment = layerEnvironment(files.value(), arguments.layer);
-  if (!environment) {
-    complain(environment.error().message);
-    return kExitUsage;
-  }
+  const std::vector<Assignment> &environment = launch.value().environment;
   if (arguments.printEnvironment) {
     if (!arguments.command.empty()) {
       complain(arguments.command[0] + " has no effect with --print-environment");
       return kExitUsage;
     }
-    for (const Assignment &assignment : environment.value())
+    for (const Assignment &assignment : environment)
       std::printf("export %s=%s\n", assignment.name.c_str(), shellQuoted(assignment.value).c_str());
     return kExitOk;
   }
-  doctor::sayWhatIsInTheWay(arguments.command, files.value());
-  const std::string records = recordPattern(environment.value());
+  doctor::sayWhatIsInTheWay(arguments.command, launch.value().files);
+  const std::string records = recordPattern(environment);
   if (records.empty())
-    return execute(environment.value(), arguments.command);
+    return execute(environment, arguments.command);
   // A killed process cannot complete its own statistics, so that this process outlives it.
-  const int status = supervise(environment.value(), arguments.command,
+  const int status = supervise(environment, arguments.command,
                                [&] { static_cast<void>(completeRecords(records)); });
   if (status < 0)
     return kExitInternal;

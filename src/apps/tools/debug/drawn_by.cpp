@@ -1,9 +1,6 @@
 #include "apps/tools/debug/drawn_by.h"
 
-#include <cstdlib>
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include "apps/tools/input.h"
 
@@ -29,26 +26,14 @@ std::string reasonsOf(const Json &statistics) {
 
 } // namespace
 
-DrawnBy::DrawnBy() {
-  std::error_code error;
-  std::string name =
-      (std::filesystem::temp_directory_path(error) / "arbiter-debug-XXXXXX").string();
-  const int file = error ? -1 : ::mkstemp(name.data());
-  if (file < 0)
-    return;
-  ::close(file);
-  m_path = name;
-}
-
-DrawnBy::~DrawnBy() {
-  if (!m_path.empty())
-    ::unlink(m_path.c_str());
+std::string DrawnBy::path() const {
+  return m_folder.path().empty() ? std::string() : m_folder.path() + "/statistics.json";
 }
 
 std::string DrawnBy::note() const {
-  if (m_path.empty())
+  if (m_folder.path().empty())
     return {};
-  const auto text = readInput(m_path);
+  const auto text = readInput(path());
   return text ? drawnByNote(text.value()) : std::string();
 }
 

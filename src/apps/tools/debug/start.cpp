@@ -1,6 +1,6 @@
 #include "apps/tools/debug/start.h"
 
-#include "apps/tools/launch/launch.h"
+#include "apps/tools/launch/in_layer.h"
 
 namespace arbiter::tools::debug {
 
@@ -12,6 +12,7 @@ constexpr const char *kNames[] = {"swrast", "host", "bare host"};
 /// can exceed a card's limits and write several colors. The document itself was checked before.
 LayerArguments layerOf(const DrawWith &with) {
   LayerArguments layer;
+  layer.library = with.library;
   layer.profile = "host";
   layer.limits = "report";
   layer.identity = "host";
@@ -27,13 +28,10 @@ Result<std::unique_ptr<DrawClient>, DebugError> startDrawing(const DrawWith &wit
                                                              const control::Json &what) {
   std::vector<Assignment> environment;
   if (with.backend != Backend::Bare) {
-    const auto files = findLayer(with.library);
-    if (!files)
-      return DebugError{files.error().message, true};
-    auto found = layerEnvironment(files.value(), layerOf(with));
-    if (!found)
-      return DebugError{found.error().message, true};
-    environment = std::move(found).value();
+    const auto launch = layerLaunch(layerOf(with));
+    if (!launch)
+      return DebugError{launch.error().message, true};
+    environment = launch.value().environment;
   }
   auto client = DrawClient::start(kNames[std::size_t(with.backend)], [&] {
     return execute(environment, {"/proc/self/exe", kDrawsVerb});

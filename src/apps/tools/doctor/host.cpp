@@ -7,12 +7,11 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <string>
-#include <sys/prctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include "apps/tools/doctor/finding.h"
 #include "apps/tools/draw/surface.h"
+#include "apps/tools/launch/child.h"
 
 namespace arbiter::tools::doctor {
 
@@ -49,12 +48,10 @@ std::string askHost() {
   if (::pipe2(ends, O_CLOEXEC) != 0)
     return {};
   std::fflush(nullptr);
-  const pid_t child = ::fork();
-  if (child == 0) {
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  const pid_t child = startChild([&]() -> int {
     // A driver's messages would not help the user here.
     if (::freopen("/dev/null", "w", stderr) == nullptr)
-      ::_exit(1);
+      return 1;
     Surface surface;
     std::string answer;
     if (surface.open(16, 16) == nullptr)
@@ -65,16 +62,14 @@ std::string askHost() {
       }
     const ssize_t written = ::write(ends[1], answer.data(), answer.size());
     ::_exit(written < 0 ? 1 : 0);
-  }
+  });
   ::close(ends[1]);
   const std::string answer = child > 0 ? readFor(ends[0], kPatience) : std::string();
   ::close(ends[0]);
-  if (child > 0) {
-    // alarm() in the child would not end a driver that blocks SIGALRM. A child that has answered is
-    // no longer needed.
-    ::kill(child, SIGKILL);
-    ::waitpid(child, nullptr, 0);
-  }
+  // alarm() in the child would not end a driver that blocks SIGALRM. A child that has answered is
+  // no longer needed.
+  if (child > 0)
+    endChild(child, SIGKILL);
   return answer;
 }
 

@@ -3,20 +3,20 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "apps/tools/doctor/finding.h"
 #include "apps/tools/input.h"
-#include "apps/tools/launch/launch.h"
+#include "apps/tools/launch/child.h"
+#include "apps/tools/launch/in_layer.h"
 #include "apps/tools/launch/shell_text.h"
+#include "apps/tools/temporary_folder.h"
 #include "util/record/live_record.h"
 
 namespace arbiter::tools::doctor {
@@ -29,27 +29,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr auto kPoll = std::chrono::milliseconds(20);
 constexpr auto kGrace = std::chrono::seconds(2); // the delay between SIGTERM and SIGKILL
-
-/// A temporary folder for the statistics; the destructor removes it.
-class Folder {
-public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "arbiter-doctor-XXXXXX").string();
-    if (::mkdtemp(name.data()) != nullptr)
-      m_path = name;
-  }
-  ~Folder() {
-    std::error_code error;
-    if (!m_path.empty())
-      fs::remove_all(m_path, error);
-  }
-  Folder(const Folder &) = delete;
-  Folder &operator=(const Folder &) = delete;
-  [[nodiscard]] const std::string &path() const { return m_path; }
-
-private:
-  std::string m_path;
-};
 
 struct End {
   int status = 0;        ///< result of waitpid()
@@ -69,16 +48,10 @@ End runFor(const std::vector<Assignment> &environment, const std::vector<std::st
   if (child < 0)
     return end;
   ::setpgid(child, child);
-  const auto wait = [&](auto until) {
-    pid_t done = 0;
-    while ((done = ::waitpid(child, &end.status, WNOHANG)) == 0 && Clock::now() < until)
-      ::usleep(useconds_t(std::chrono::microseconds(kPoll).count()));
-    return done != 0;
-  };
-  const auto limit = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                        std::chrono::duration<double>(seconds));
+  const auto patience = std::chrono::milliseconds(std::int64_t(seconds * 1000));
+  const auto limit = Clock::now() + patience;
   // Processes that a launcher left behind run until the time is over.
-  if (wait(limit)) {
+  if (awaitChild(child, patience, end.status)) {
     while (::kill(-child, 0) == 0 && Clock::now() < limit)
       ::usleep(useconds_t(std::chrono::microseconds(kPoll).count()));
     ::kill(-child, SIGTERM);
@@ -86,9 +59,9 @@ End runFor(const std::vector<Assignment> &environment, const std::vector<std::st
   }
   end.timedOut = true;
   ::kill(-child, SIGTERM);
-  if (!wait(Clock::now() + kGrace)) {
+  if (!awaitChild(child, kGrace, end.status)) {
     ::kill(-child, SIGKILL);
-    static_cast<void>(wait(Clock::now() + kGrace));
+    static_cast<void>(awaitChild(child, kGrace, end.status));
   }
   return end;
 }
@@ -234,21 +207,19 @@ void add(Examination &examination, const CommandFile &command, const Report &rep
 } // namespace
 
 void runAndLook(Examination &examination, const CommandFile &command, const RunSettings &settings) {
-  const Folder folder;
+  const TemporaryFolder folder("arbiter-doctor");
   const auto fail = [&](const std::string &why) {
     examination.add({"not_run", Level::Obstacle, command.path, "It was not run: " + why + ".", {}});
   };
   if (folder.path().empty())
     return fail(std::string("no folder for the statistics: ") + std::strerror(errno));
-  const auto files = findLayer(settings.library);
-  if (!files)
-    return fail(files.error().message);
   LayerArguments arguments;
+  arguments.library = settings.library;
   arguments.stats = folder.path() + "/%p.json";
-  const auto environment = layerEnvironment(files.value(), arguments);
-  if (!environment)
-    return fail(environment.error().message);
-  const End end = runFor(environment.value(), command.words, settings.seconds);
+  const auto launch = layerLaunch(arguments);
+  if (!launch)
+    return fail(launch.error().message);
+  const End end = runFor(launch.value().environment, command.words, settings.seconds);
   static_cast<void>(completeRecords(arguments.stats));
   add(examination, command, readReports(folder.path()), end);
 }

@@ -2,9 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <dlfcn.h>
 #include <nlohmann/json.hpp>
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include "apps/tools/check/rendered.h"
@@ -13,7 +11,8 @@
 #include "apps/tools/draw/uses.h"
 #include "apps/tools/input.h"
 #include "apps/tools/language.h"
-#include "apps/tools/launch/launch.h"
+#include "apps/tools/launch/in_layer.h"
+#include "control/attached.h"
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/hw/profile.h"
 #include "util/flags.h"
@@ -194,12 +193,9 @@ bool keepInput(std::string &text) {
     return false;
   }
   text = std::move(input).value();
-  const int file = ::memfd_create("document", 0);
-  const bool good = file >= 0 &&
-                    ::write(file, text.data(), text.size()) == ::ssize_t(text.size()) &&
-                    ::lseek(file, 0, SEEK_SET) == 0 && ::dup2(file, STDIN_FILENO) >= 0;
-  if (file > STDIN_FILENO)
-    ::close(file);
+  const control::Descriptor file =
+      control::memoryOf({reinterpret_cast<const std::uint8_t *>(text.data()), text.size()});
+  const bool good = file && ::dup2(file.get(), STDIN_FILENO) >= 0;
   if (!good)
     complain("standard input cannot be kept");
   return good;
@@ -238,33 +234,13 @@ std::string withSteady(std::string debug) {
 int draw(const DrawArguments &arguments, const std::vector<std::string> &argv) {
   if (arguments.bare)
     return drawHere(arguments);
-  if (arguments.inLayer) {
-    // RTLD_NOLOAD returns a handle only if the preload worked, so that a picture of the bare host
-    // is never taken for the layer's.
-    if (::dlopen(ARBITER_PRELOAD_LIBRARY, RTLD_NOLOAD | RTLD_LAZY) == nullptr) {
-      complain("the layer was not loaded into this process");
-      return kExitInternal;
-    }
-    return drawHere(arguments);
-  }
-  const auto files = findLayer(arguments.layer.library);
-  if (!files) {
-    complain(files.error().message);
-    return kExitUsage;
-  }
+  if (arguments.inLayer)
+    return isInLayer() ? drawHere(arguments) : int(kExitInternal);
   LayerArguments layer = arguments.layer;
   if (!takeSettings(arguments, layer))
     return kExitUsage;
   layer.debug = withSteady(layer.debug);
-  const auto environment = layerEnvironment(files.value(), layer);
-  if (!environment) {
-    complain(environment.error().message);
-    return kExitUsage;
-  }
-  std::vector<std::string> command = argv;
-  command[0] = "/proc/self/exe"; // argv[0] may be relative to an earlier PATH
-  command.insert(command.begin() + 2, "--in-layer");
-  return execute(environment.value(), command);
+  return executeInLayer(layer, argv);
 }
 
 } // namespace arbiter::tools

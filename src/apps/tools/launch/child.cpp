@@ -30,8 +30,8 @@ bool awaitChild(pid_t child, std::chrono::milliseconds atMost, int &status) {
   }
 }
 
-void killChild(pid_t child) {
-  ::kill(child, SIGKILL);
+void endChild(pid_t child, int signal) {
+  ::kill(child, signal);
   while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
   }
 }

@@ -14,7 +14,7 @@ namespace arbiter::tools {
 /// \returns true if it has ended, or is no child of this process
 [[nodiscard]] bool awaitChild(pid_t child, std::chrono::milliseconds atMost, int &status);
 
-/// Kills the process and waits for its end.
-void killChild(pid_t child);
+/// Sends the process a signal, 0: none, and waits for its end.
+void endChild(pid_t child, int signal);
 
 } // namespace arbiter::tools

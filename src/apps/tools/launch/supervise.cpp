@@ -6,12 +6,12 @@
 #include <cstring>
 
 #include <fcntl.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "apps/tools/input.h"
+#include "apps/tools/launch/child.h"
 
 namespace arbiter::tools {
 
@@ -100,19 +100,14 @@ int supervise(const std::vector<Assignment> &environment, const std::vector<std:
   const sigset_t passed = passedOn();
   sigset_t before;
   ::sigprocmask(SIG_BLOCK, &passed, &before);
-  const pid_t self = ::getpid();
-  const pid_t child = ::fork();
+  const pid_t child = startChild([&] {
+    ::sigprocmask(SIG_SETMASK, &before, nullptr);
+    return execute(environment, command);
+  });
   if (child < 0) {
     complain(std::string("fork: ") + std::strerror(errno));
     ::sigprocmask(SIG_SETMASK, &before, nullptr);
     return -1;
-  }
-  if (child == 0) {
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (::getppid() != self)
-      ::_exit(1);
-    ::sigprocmask(SIG_SETMASK, &before, nullptr);
-    ::_exit(execute(environment, command));
   }
   g_child = child;
   const int helper = startHelper(child, afterwards);

@@ -1,15 +1,12 @@
 // Implements `arbiter render`, which draws documents for another process.
-#include <GL/arbiter.h>
-#include <charconv>
 #include <cstdio>
-#include <dlfcn.h>
 #include <thread>
 #include <unistd.h>
 
 #include "apps/tools/commands.h"
 #include "apps/tools/draw/surface.h"
 #include "apps/tools/input.h"
-#include "apps/tools/launch/launch.h"
+#include "apps/tools/launch/in_layer.h"
 #include "apps/tools/render/methods.h"
 #include "control/address.h"
 
@@ -84,27 +81,9 @@ int render(const RenderArguments &arguments, const std::vector<std::string> &arg
   }
   if (arguments.bare)
     return renderHere(arguments);
-  if (arguments.inLayer) {
-    if (::dlopen(ARBITER_PRELOAD_LIBRARY, RTLD_NOLOAD | RTLD_LAZY) == nullptr) {
-      complain("the layer was not loaded into this process");
-      return kExitInternal;
-    }
-    return renderHere(arguments);
-  }
-  const auto files = findLayer(arguments.layer.library);
-  if (!files) {
-    complain(files.error().message);
-    return kExitUsage;
-  }
-  const auto environment = layerEnvironment(files.value(), arguments.layer);
-  if (!environment) {
-    complain(environment.error().message);
-    return kExitUsage;
-  }
-  std::vector<std::string> command = argv;
-  command[0] = "/proc/self/exe"; // argv[0] may be relative to an earlier PATH
-  command.insert(command.begin() + 2, "--in-layer");
-  return execute(environment.value(), command);
+  if (arguments.inLayer)
+    return isInLayer() ? renderHere(arguments) : int(kExitInternal);
+  return executeInLayer(arguments.layer, argv);
 }
 
 } // namespace arbiter::tools

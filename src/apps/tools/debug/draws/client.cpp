@@ -1,6 +1,7 @@
 #include "apps/tools/debug/draws/client.h"
 
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -31,11 +32,8 @@ DebugError DrawClient::error(const std::string &what) const {
 
 void DrawClient::close() {
   m_client.reset(); // the process exits when the socket closes
-  if (m_process <= 0)
-    return;
-  while (::waitpid(m_process, nullptr, 0) < 0 && errno == EINTR) {
-  }
-  m_process = -1;
+  if (const pid_t process = std::exchange(m_process, -1); process > 0)
+    endChild(process, 0);
 }
 
 Result<std::unique_ptr<DrawClient>, DebugError>
@@ -61,7 +59,7 @@ DebugError DrawClient::lost() {
   int status = 0;
   const pid_t process = std::exchange(m_process, -1);
   if (!awaitChild(process, kExit, status)) {
-    killChild(process);
+    endChild(process, SIGKILL);
     return error("did not answer for " + std::to_string(kPatience.count()) + " seconds");
   }
   if (!WIFSIGNALED(status))

@@ -1,7 +1,6 @@
 #include <csignal>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/mman.h>
 
 #include "apps/tools/debug/drawn_by.h"
 #include "apps/tools/debug/draws/client.h"
@@ -39,7 +38,7 @@ public:
   void received(control::ClientId client, control::Request request) override {
     const std::vector<std::uint8_t> three(3);
     m_server.send(client, control::answerLine(request.id, m_answers[m_at]),
-                  m_at == 1 ? control::memoryOf(three, MFD_CLOEXEC) : control::Descriptor());
+                  m_at == 1 ? control::memoryOf(three) : control::Descriptor());
     ++m_at;
   }
 

@@ -1,7 +1,6 @@
 #include "apps/tools/debug/draws/server.h"
 
 #include <cstring>
-#include <sys/mman.h>
 
 #include "apps/tools/debug/draws/remote_drawer.h"
 #include "apps/tools/debug/pixel/cut.h"
@@ -47,7 +46,7 @@ public:
     Params params(request.params);
     const Answer answer = request.method == "pixel.open" ? open(request.params)
                           : m_drawer                     ? reply(request.method, params)
-                                     : Fault{control::kNotPossible, "nothing is open", {}};
+                                                         : faultOf({"nothing is open"});
     m_server.send(client, control::answerLine(request.id, answer), std::move(m_memory));
   }
 
@@ -88,9 +87,9 @@ private:
     if (!drawn)
       return faultOf(drawn.error());
     const auto *const bytes = reinterpret_cast<const std::uint8_t *>(drawn.value().data());
-    m_memory = control::memoryOf({bytes, drawn.value().size() * sizeof(Item)}, MFD_CLOEXEC);
+    m_memory = control::memoryOf({bytes, drawn.value().size() * sizeof(Item)});
     if (!m_memory)
-      return Fault{control::kNotPossible, "no memory for the pixels", {}};
+      return faultOf({"no memory for the pixels"});
     return Json::object();
   }
 
@@ -103,14 +102,14 @@ private:
           control::kNotPossible, "a region outside the picture, or a wrong number of targets", {}};
     const auto locals = localsOf(params);
     if (!locals)
-      return Fault{control::kNotPossible, "no values of local parameters", {}};
+      return faultOf({"no values of local parameters"});
     return answerOf(m_drawer->draw(text, targets, region, *locals));
   }
 
   Answer picture(Params &params) {
     const Region region = regionOf(params);
     return params.ok() ? answerOf(m_drawer->picture(region))
-                       : Fault{control::kNotPossible, "a region outside the picture", {}};
+                       : faultOf({"a region outside the picture"});
   }
 
   Answer texture(Params &params) {
@@ -121,7 +120,7 @@ private:
     while (target <= int(TexTarget::ShadowRect) && word != targetWord(TexTarget(target)))
       ++target;
     if (!params.ok() || target > int(TexTarget::ShadowRect))
-      return Fault{control::kNotPossible, "no such texture", {}};
+      return faultOf({"no such texture"});
     const auto size = m_drawer->textureSize(unit, TexTarget(target));
     return size ? Answer(Json{{"size", size.value()}}) : faultOf(size.error());
   }
@@ -134,7 +133,7 @@ private:
     state.index = std::uint8_t(params.integer("index", 0, 255));
     state.row = std::uint8_t(params.integer("row", 0, 3));
     if (!params.ok())
-      return Fault{control::kNotPossible, "no such state of vertex programs", {}};
+      return faultOf({"no such state of vertex programs"});
     const auto value = m_drawer->vertexState(state);
     return value ? Answer(Json{{"value", value.value()}}) : faultOf(value.error());
   }
