@@ -178,6 +178,15 @@ bool Client::await(std::chrono::milliseconds atMost) {
   return true;
 }
 
+bool Client::awaitUntil(std::chrono::steady_clock::time_point end) {
+  const auto left =
+      std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
+  if (m_closed || left.count() <= 0)
+    return false;
+  await(left);
+  return true;
+}
+
 Answer Client::call(std::string_view method, Json params, std::chrono::milliseconds atMost) {
   const std::uint64_t id = request(method, std::move(params));
   const auto end = std::chrono::steady_clock::now() + atMost;
@@ -186,11 +195,8 @@ Answer Client::call(std::string_view method, Json params, std::chrono::milliseco
       return std::move(*answer);
     if (m_closed)
       return Fault{0, "the process has ended, or hung up", {}};
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
-        end - std::chrono::steady_clock::now());
-    if (left.count() <= 0)
+    if (!awaitUntil(end))
       return Fault{0, "no answer in " + std::to_string(atMost.count()) + " ms", {}};
-    await(left);
   }
 }
 

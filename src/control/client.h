@@ -71,6 +71,9 @@ public:
   /// Waits until something arrives.
   /// \returns false if nothing has arrived in time
   bool await(std::chrono::milliseconds atMost);
+  /// Waits until something arrives, or a whole millisecond is not left.
+  /// \returns false if the time is over, or the server is gone
+  bool awaitUntil(std::chrono::steady_clock::time_point end);
 
 private:
   struct Buffer {

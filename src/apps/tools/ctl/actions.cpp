@@ -19,14 +19,10 @@ int waitSeconds(Session &session, const Words &words) {
     return fail({kExitUsage, "wait takes a number of seconds, not " + words[0]});
   const auto until =
       std::chrono::steady_clock::now() + std::chrono::milliseconds(std::int64_t(seconds * 1000));
-  while (session.connection.client().connected()) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
-        until - std::chrono::steady_clock::now());
-    if (left.count() <= 0)
-      return kExitOk;
-    session.connection.client().await(left);
+  wire::Client &client = session.connection.client();
+  while (client.awaitUntil(until)) {
   }
-  return fail({kExitUsage, "the process has ended"});
+  return client.connected() ? int(kExitOk) : fail({kExitUsage, "the process has ended"});
 }
 
 constexpr std::size_t kAny = 64;
@@ -99,12 +95,29 @@ int runAction(Session &session, const Words &words) {
   return row->run(session, rest);
 }
 
-int showStats(Session &session, const Words &) {
-  const auto answer = session.connection.ask("stats", wire::Json::object());
+int show(Session &session, Result<wire::Json, Failure> answer,
+         const std::function<void(const wire::Json &)> &print) {
   if (!answer)
     return fail(answer.error());
-  printJson(answer.value());
+  session.json ? printJson(answer.value()) : print(answer.value());
   return kExitOk;
+}
+
+std::string textAt(const wire::Json &object, const char *name) {
+  const auto found = object.find(name);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+std::vector<wire::Json> objectsAt(const wire::Json &object, const char *name) {
+  std::vector<wire::Json> objects;
+  if (const auto found = object.find(name); found != object.end() && found->is_array())
+    std::copy_if(found->begin(), found->end(), std::back_inserter(objects),
+                 [](const wire::Json &each) { return each.is_object(); });
+  return objects;
+}
+
+int showStats(Session &session, const Words &) {
+  return show(session, session.connection.ask("stats", wire::Json::object()), printJson);
 }
 
 } // namespace arbiter::tools::ctl

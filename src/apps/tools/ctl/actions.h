@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -46,6 +47,13 @@ struct ActionRow {
 void printJson(const wire::Json &answer);
 /// Prints the failure's message and returns its code.
 int fail(const Failure &failure);
+/// Prints an answer as JSON if that is asked for, else by `print`; complains of a failure.
+int show(Session &session, Result<wire::Json, Failure> answer,
+         const std::function<void(const wire::Json &)> &print);
+/// Returns a text in an answer; "" if there is none.
+[[nodiscard]] std::string textAt(const wire::Json &object, const char *name);
+/// Returns the objects of an array in an answer.
+[[nodiscard]] std::vector<wire::Json> objectsAt(const wire::Json &object, const char *name);
 
 // The actions, grouped by file.
 int listPrograms(Session &session, const Words &words);

@@ -78,12 +78,7 @@ Result<wire::Json, Failure> Connection::ask(const std::string &method, wire::Jso
 }
 
 void Connection::awaitAge(std::chrono::milliseconds age) {
-  while (m_client.connected()) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
-        m_since + age - std::chrono::steady_clock::now());
-    if (left.count() <= 0)
-      return;
-    m_client.await(left);
+  while (m_client.awaitUntil(m_since + age)) {
   }
 }
 
@@ -92,13 +87,9 @@ Result<wire::Frame, Failure> Connection::frame() {
     return wanted.error();
   const auto end = std::chrono::steady_clock::now() + m_patience;
   std::optional<wire::Frame> frame;
-  while (!(frame = m_client.nextFrame())) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
-        end - std::chrono::steady_clock::now());
-    if (left.count() <= 0 || !m_client.connected())
+  while (!(frame = m_client.nextFrame()))
+    if (!m_client.awaitUntil(end))
       return noAnswer();
-    m_client.await(left);
-  }
   if (auto enough = ask("frame.want", {{"every", 0}}); !enough)
     return enough.error();
   return *frame;

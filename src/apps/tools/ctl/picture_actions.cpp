@@ -60,31 +60,21 @@ Picture pictureOf(const Json &answer) {
 } // namespace
 
 int listTextures(Session &session, const Words &) {
-  const auto answer = session.connection.ask("texture.list", Json::object());
-  if (!answer)
-    return fail(answer.error());
-  if (session.json) {
-    printJson(answer.value());
-    return kExitOk;
-  }
-  std::printf("%10s %4s %-6s %16s  %s\n", "NAME", "UNIT", "TARGET", "SIZE", "FORMAT");
-  const auto found = answer.value().find("textures");
-  if (found == answer.value().end() || !found->is_array())
-    return kExitOk;
-  for (const Json &row : *found) {
-    if (!row.is_object())
-      continue;
-    wire::Params params(row);
-    const std::string size = std::to_string(params.integer("width", 0, INT32_MAX)) + "x" +
-                             std::to_string(params.integer("height", 0, INT32_MAX)) + "x" +
-                             std::to_string(params.integer("depth", 0, INT32_MAX));
-    std::printf("%10lld %4lld %-6s %16s  %s%s\n",
-                static_cast<long long>(params.integer("name", 0, INT32_MAX)),
-                static_cast<long long>(params.integer("unit", 0, INT32_MAX)),
-                params.text("target").c_str(), size.c_str(), params.text("format").c_str(),
-                params.truth("changed") ? "  changed" : "");
-  }
-  return kExitOk;
+  auto listed = session.connection.ask("texture.list", Json::object());
+  return show(session, std::move(listed), [](const Json &answer) {
+    std::printf("%10s %4s %-6s %16s  %s\n", "NAME", "UNIT", "TARGET", "SIZE", "FORMAT");
+    for (const Json &row : objectsAt(answer, "textures")) {
+      wire::Params params(row);
+      const std::string size = std::to_string(params.integer("width", 0, INT32_MAX)) + "x" +
+                               std::to_string(params.integer("height", 0, INT32_MAX)) + "x" +
+                               std::to_string(params.integer("depth", 0, INT32_MAX));
+      std::printf("%10lld %4lld %-6s %16s  %s%s\n",
+                  static_cast<long long>(params.integer("name", 0, INT32_MAX)),
+                  static_cast<long long>(params.integer("unit", 0, INT32_MAX)),
+                  params.text("target").c_str(), size.c_str(), params.text("format").c_str(),
+                  params.truth("changed") ? "  changed" : "");
+    }
+  });
 }
 
 int getTexture(Session &session, const Words &words) {

@@ -9,9 +9,8 @@
 #include "apps/tools/commands.h"
 #include "apps/tools/ctl/actions.h"
 #include "apps/tools/ctl/held_drawer.h"
-#include "apps/tools/debug/findings.h"
 #include "apps/tools/debug/pair.h"
-#include "apps/tools/debug/pixel/reader.h"
+#include "apps/tools/debug/session.h"
 #include "apps/tools/debug/trace/numbers.h"
 #include "apps/tools/language.h"
 #include "control/base64.h"
@@ -59,25 +58,15 @@ struct PickedDraw {
   std::array<float, 4> color = {};
 };
 
-std::string nameAt(const Json &row, const char *member) {
-  const auto found = row.find(member);
-  return found != row.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
 std::vector<PickedDraw> drawsOf(const Json &answer) {
   std::vector<PickedDraw> draws;
-  const auto rows = answer.find("draws");
-  if (rows == answer.end() || !rows->is_array())
-    return draws;
-  for (const Json &row : *rows) {
-    if (!row.is_object())
-      continue;
+  for (const Json &row : objectsAt(answer, "draws")) {
     wire::Params params(row);
     PickedDraw draw;
     draw.number = params.integer("draw", 1, INT32_MAX);
-    draw.command = nameAt(row, "command");
-    draw.fragment = nameAt(row, "fragment");
-    draw.vertex = nameAt(row, "vertex");
+    draw.command = textAt(row, "command");
+    draw.fragment = textAt(row, "fragment");
+    draw.vertex = textAt(row, "vertex");
     draw.color.fill(NAN); // stays NaN where JSON has null
     params.floats("color", draw.color.data(), 4, true);
     if (params.ok())
@@ -90,11 +79,9 @@ std::vector<PickedDraw> drawsOf(const Json &answer) {
 /// inspected.
 std::string elsewhere(const Json &answer) {
   std::string text;
-  const auto rows = answer.find("framebuffers");
-  if (rows != answer.end() && rows->is_array())
-    for (const Json &row : *rows)
-      if (row.is_object() && row.contains("framebuffer") && row["framebuffer"].is_number_unsigned())
-        text += (text.empty() ? "" : ", ") + row["framebuffer"].dump();
+  for (const Json &row : objectsAt(answer, "framebuffers"))
+    if (row.contains("framebuffer") && row["framebuffer"].is_number_unsigned())
+      text += (text.empty() ? "" : ", ") + row["framebuffer"].dump();
   if (!text.empty())
     text = "; it draws to framebuffers " + text + " (X,Y@NAME; 0 is the window)";
   const auto lists = answer.find("lists");
@@ -117,7 +104,7 @@ Result<PickedDraw, Failure> choose(const Json &answer, const std::string &wanted
       others += (others.empty() ? "" : ", ") + std::to_string(draw.number);
   }
   if (draws.empty()) {
-    const std::string trouble = nameAt(answer, "trouble");
+    const std::string trouble = textAt(answer, "trouble");
     return Failure{kExitUsage, "no draw of the frame writes this pixel that can be looked at" +
                                    (trouble.empty() ? std::string() : " (" + trouble + ")") +
                                    elsewhere(answer)};
@@ -133,8 +120,8 @@ Result<PickedDraw, Failure> choose(const Json &answer, const std::string &wanted
 
 /// Compiles the text of a held draw without a card's limits.
 Result<fp::ir::Program, Failure> programOf(const Json &held, std::string &text) {
-  text = nameAt(held, "text");
-  if (const auto bytes = wire::fromBase64(nameAt(held, "text_base64")); bytes && !bytes->empty())
+  text = textAt(held, "text");
+  if (const auto bytes = wire::fromBase64(textAt(held, "text_base64")); bytes && !bytes->empty())
     text.assign(bytes->begin(), bytes->end());
   const auto profile = fp::hw::loadProfile("host");
   if (!profile)
@@ -148,32 +135,7 @@ Result<fp::ir::Program, Failure> programOf(const Json &held, std::string &text) 
 }
 
 fp::Numerics numericsOf(const Json &held) {
-  return fp::numericsNamed(nameAt(held, "numerics")).value_or(fp::Numerics::Host);
-}
-
-/// Traces the pixel and compares the trace with the drawn pixel.
-Result<debug::Findings, debug::DebugError> findingsOf(debug::Drawer &drawer,
-                                                      const fp::ir::Program &program,
-                                                      std::string_view text, Pixel pixel,
-                                                      fp::Numerics numerics) {
-  const fp::Numerics beside =
-      numerics == fp::Numerics::Fp24 ? fp::Numerics::Host : fp::Numerics::Fp24;
-  debug::PixelReader reader(drawer, program, pixel.x, pixel.y, numerics);
-  if (auto error = reader.read())
-    return *error;
-  debug::Findings findings;
-  findings.trace = debug::record(program, text, reader.inputs(), {numerics, beside});
-  if (reader.failure())
-    return *reader.failure();
-  auto verdict = debug::judge(drawer, program, findings.trace, pixel.x, pixel.y);
-  if (!verdict)
-    return verdict.error();
-  findings.verdict = std::move(verdict).value();
-  findings.x = pixel.x;
-  findings.y = pixel.y;
-  findings.width = drawer.size()[0];
-  findings.height = drawer.size()[1];
-  return findings;
+  return fp::numericsNamed(textAt(held, "numerics")).value_or(fp::Numerics::Host);
 }
 
 std::array<std::uint8_t, 4> bytesOf(const std::array<float, 4> &color) {
@@ -194,19 +156,13 @@ Result<Json, Failure> pick(Session &session, const std::string &word) {
 } // namespace
 
 int pickDraws(Session &session, const Words &words) {
-  const auto answer = pick(session, words[0]);
-  if (!answer)
-    return fail(answer.error());
-  if (session.json) {
-    printJson(answer.value());
-    return kExitOk;
-  }
-  std::printf("%6s  %-22s %-10s %s\n", "DRAW", "COMMAND", "COLOUR", "PROGRAM");
-  for (const PickedDraw &draw : drawsOf(answer.value()))
-    std::printf("%6lld  %-22s %-10s %s\n", static_cast<long long>(draw.number),
-                draw.command.c_str(), debug::hexColor(bytesOf(draw.color)).c_str(),
-                programText(draw.fragment).c_str());
-  return kExitOk;
+  return show(session, pick(session, words[0]), [](const Json &answer) {
+    std::printf("%6s  %-22s %-10s %s\n", "DRAW", "COMMAND", "COLOUR", "PROGRAM");
+    for (const PickedDraw &draw : drawsOf(answer))
+      std::printf("%6lld  %-22s %-10s %s\n", static_cast<long long>(draw.number),
+                  draw.command.c_str(), debug::hexColor(bytesOf(draw.color)).c_str(),
+                  programText(draw.fragment).c_str());
+  });
 }
 
 int tracePixel(Session &session, const Words &words) {
@@ -229,7 +185,8 @@ int tracePixel(Session &session, const Words &words) {
   HeldDrawer drawer(session.connection, held.value(), bytesOf(draw.value().color));
   if (!program)
     return fail(program.error());
-  auto found = findingsOf(drawer, program.value(), text, pixel, numericsOf(held.value()));
+  auto found =
+      debug::findingsOf(drawer, program.value(), text, pixel.x, pixel.y, numericsOf(held.value()));
   if (!found)
     return fail({kExitUsage, words[0] + ": " + found.error().message});
   debug::Findings &findings = found.value();
@@ -248,29 +205,24 @@ int tracePixel(Session &session, const Words &words) {
 }
 
 int measureFrame(Session &session, const Words &) {
-  const auto answer = session.connection.ask("frame.measure", Json::object());
-  if (!answer)
-    return fail(answer.error());
-  if (session.json) {
-    printJson(answer.value());
-    return kExitOk;
-  }
-  std::printf("%6s %12s %10s  %s\n", "DRAWS", "PIXELS", "MS", "PROGRAM");
-  const auto programs = answer.value().find("programs");
-  if (programs == answer.value().end() || !programs->is_object())
-    return kExitOk;
-  for (const auto &[id, row] : programs->items()) {
-    if (!row.is_object())
-      continue;
-    wire::Params params(row);
-    const auto pixels = row.find("pixels");
-    const bool counted = pixels != row.end() && pixels->is_number_integer();
-    std::printf("%6lld %12s %10.3f  %s\n",
-                static_cast<long long>(params.integer("draws", 0, INT32_MAX)),
-                counted ? std::to_string(pixels->get<std::int64_t>()).c_str() : "not counted",
-                params.number("milliseconds", 0), id.c_str());
-  }
-  return kExitOk;
+  auto measured = session.connection.ask("frame.measure", Json::object());
+  return show(session, std::move(measured), [](const Json &answer) {
+    std::printf("%6s %12s %10s  %s\n", "DRAWS", "PIXELS", "MS", "PROGRAM");
+    const auto programs = answer.find("programs");
+    if (programs == answer.end() || !programs->is_object())
+      return;
+    for (const auto &[id, row] : programs->items()) {
+      if (!row.is_object())
+        continue;
+      wire::Params params(row);
+      const auto pixels = row.find("pixels");
+      const bool counted = pixels != row.end() && pixels->is_number_integer();
+      std::printf("%6lld %12s %10.3f  %s\n",
+                  static_cast<long long>(params.integer("draws", 0, INT32_MAX)),
+                  counted ? std::to_string(pixels->get<std::int64_t>()).c_str() : "not counted",
+                  params.number("milliseconds", 0), id.c_str());
+    }
+  });
 }
 
 } // namespace arbiter::tools::ctl

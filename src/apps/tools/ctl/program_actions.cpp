@@ -20,11 +20,6 @@ using wire::Json;
 /// The time during which draws are counted before they are shown.
 constexpr std::chrono::milliseconds kCounted{250};
 
-std::string textAt(const Json &object, const char *name) {
-  const auto found = object.find(name);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
 bool trueAt(const Json &object, const char *name) {
   const auto found = object.find(name);
   return found != object.end() && found->is_boolean() && found->get<bool>();
@@ -40,12 +35,6 @@ double numberAt(const Json &object, const char *name) {
   return found != object.end() && found->is_number() ? found->get<double>() : 0;
 }
 
-const Json &arrayAt(const Json &object, const char *name) {
-  static const Json s_none = Json::array();
-  const auto found = object.find(name);
-  return found != object.end() && found->is_array() ? *found : s_none;
-}
-
 /// Returns the text that is drawn with, from an answer to program.get.
 std::string drawnText(const Json &answer) {
   if (const std::string edit = textAt(answer, "edit"); !edit.empty())
@@ -57,19 +46,13 @@ std::string drawnText(const Json &answer) {
 
 /// Sends a request and ignores its result.
 int request(Session &session, const std::string &method, Json params) {
-  const auto answer = session.connection.ask(method, std::move(params));
-  if (!answer)
-    return fail(answer.error());
-  session.changed = true;
-  if (session.json)
-    printJson(answer.value());
-  return kExitOk;
+  auto answer = session.connection.ask(method, std::move(params));
+  session.changed = session.changed || answer;
+  return show(session, std::move(answer), [](const Json &) {});
 }
 
 void printDiagnostics(const std::string &file, const Json &answer) {
-  for (const Json &each : arrayAt(answer, "diagnostics")) {
-    if (!each.is_object())
-      continue;
+  for (const Json &each : objectsAt(answer, "diagnostics")) {
     std::fprintf(stderr, "%s:%lld:%lld: %s: %s [%s]\n", file.c_str(),
                  static_cast<long long>(integerAt(each, "line")),
                  static_cast<long long>(integerAt(each, "column")),
@@ -121,8 +104,8 @@ Result<std::string, Failure> wholeId(Session &session, const std::string &word) 
   if (!list)
     return list.error();
   std::vector<std::string> found;
-  for (const Json &row : arrayAt(list.value(), "programs"))
-    if (const std::string id = row.is_object() ? textAt(row, "id") : std::string();
+  for (const Json &row : objectsAt(list.value(), "programs"))
+    if (const std::string id = textAt(row, "id");
         !stem.empty() && id.starts_with(stem) && id.ends_with(ending))
       found.push_back(id);
   if (found.size() == 1)
@@ -138,40 +121,33 @@ Result<std::string, Failure> wholeId(Session &session, const std::string &word) 
 int listPrograms(Session &session, const Words &) {
   // The process counts draws only since its first client connected.
   session.connection.awaitAge(kCounted);
-  const auto answer = session.connection.ask("program.list", Json::object());
-  if (!answer)
-    return fail(answer.error());
-  if (session.json) {
-    printJson(answer.value());
-    return kExitOk;
-  }
-  std::printf("%-38s %-12s %7s %7s %9s %10s  %s\n", "ID", "TARGET", "SLOTS", "NATIVE", "DRAWS",
-              "MS", "STATE");
-  for (const Json &row : arrayAt(answer.value(), "programs")) {
-    if (!row.is_object())
-      continue;
-    const auto instructions = [&](const char *counts) {
-      const auto found = row.find(counts);
-      return found != row.end() && found->is_object() ? integerAt(*found, "instructions") : 0;
-    };
-    std::string state = trueAt(row, "effective") ? "drawn with"
-                        : trueAt(row, "bound")   ? "bound"
-                                                 : "";
-    for (const auto &[name, word] :
-         {std::pair("edited", "edited"), std::pair("replaced", "replaced")})
-      if (trueAt(row, name))
-        state += (state.empty() ? "" : ", ") + std::string(word);
-    if (!trueAt(row, "enabled"))
-      state += (state.empty() ? "" : ", ") + std::string("off");
-    if (!trueAt(row, "under_native_limits"))
-      state += (state.empty() ? "" : ", ") + std::string("over native limits");
-    std::printf("%-38s %-12s %7lld %7lld %9lld %10.2f  %s\n", textAt(row, "id").c_str(),
-                textAt(row, "target").c_str(), static_cast<long long>(instructions("counts")),
-                static_cast<long long>(instructions("native_counts")),
-                static_cast<long long>(integerAt(row, "draws")), numberAt(row, "milliseconds"),
-                state.c_str());
-  }
-  return kExitOk;
+  auto listed = session.connection.ask("program.list", Json::object());
+  return show(session, std::move(listed), [](const Json &answer) {
+    std::printf("%-38s %-12s %7s %7s %9s %10s  %s\n", "ID", "TARGET", "SLOTS", "NATIVE", "DRAWS",
+                "MS", "STATE");
+    for (const Json &row : objectsAt(answer, "programs")) {
+      const auto instructions = [&](const char *counts) {
+        const auto found = row.find(counts);
+        return found != row.end() && found->is_object() ? integerAt(*found, "instructions") : 0;
+      };
+      std::string state = trueAt(row, "effective") ? "drawn with"
+                          : trueAt(row, "bound")   ? "bound"
+                                                   : "";
+      for (const auto &[name, word] :
+           {std::pair("edited", "edited"), std::pair("replaced", "replaced")})
+        if (trueAt(row, name))
+          state += (state.empty() ? "" : ", ") + std::string(word);
+      if (!trueAt(row, "enabled"))
+        state += (state.empty() ? "" : ", ") + std::string("off");
+      if (!trueAt(row, "under_native_limits"))
+        state += (state.empty() ? "" : ", ") + std::string("over native limits");
+      std::printf("%-38s %-12s %7lld %7lld %9lld %10.2f  %s\n", textAt(row, "id").c_str(),
+                  textAt(row, "target").c_str(), static_cast<long long>(instructions("counts")),
+                  static_cast<long long>(instructions("native_counts")),
+                  static_cast<long long>(integerAt(row, "draws")), numberAt(row, "milliseconds"),
+                  state.c_str());
+    }
+  });
 }
 
 int getText(Session &session, const Words &words) {
@@ -243,18 +219,12 @@ int listParameters(Session &session, const Words &words) {
   Json params = Json::object();
   if (!words.empty())
     params["id"] = words[0];
-  const auto answer = session.connection.ask("param.list", std::move(params));
-  if (!answer)
-    return fail(answer.error());
-  if (session.json) {
-    printJson(answer.value());
-    return kExitOk;
-  }
-  for (const Json &row : arrayAt(answer.value(), "parameters"))
-    if (row.is_object())
+  auto listed = session.connection.ask("param.list", std::move(params));
+  return show(session, std::move(listed), [](const Json &answer) {
+    for (const Json &row : objectsAt(answer, "parameters"))
       std::printf("%-38s %-32s %s%s\n", textAt(row, "id").c_str(), textAt(row, "name").c_str(),
                   row.value("value", Json()).dump().c_str(), trueAt(row, "held") ? "  held" : "");
-  return kExitOk;
+  });
 }
 
 int setParameter(Session &session, const Words &words) {
@@ -281,8 +251,8 @@ int exportFolder(Session &session, const Words &words) {
   if (error)
     return fail({kExitUsage, words[0] + ": " + error.message()});
   std::size_t own = 0, edited = 0;
-  for (const Json &row : arrayAt(list.value(), "programs")) {
-    const std::string id = row.is_object() ? textAt(row, "id") : std::string();
+  for (const Json &row : objectsAt(list.value(), "programs")) {
+    const std::string id = textAt(row, "id");
     if (!isFileName(id))
       continue;
     const auto program = session.connection.ask("program.get", {{"id", id}});

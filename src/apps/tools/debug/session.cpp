@@ -120,32 +120,41 @@ Result<std::unique_ptr<Session>, SessionError> Session::open(const SessionOption
   return session;
 }
 
-Result<Trace, DebugError> Session::trace(const CheckedText &program, int x, int y) {
-  PixelReader reader(*m_drawer, program.program, x, y, m_numerics);
+Result<Trace, DebugError> traceOf(Drawer &drawer, const fp::ir::Program &program,
+                                  std::string_view text, int x, int y, Numerics numerics) {
+  PixelReader reader(drawer, program, x, y, numerics);
   if (auto error = reader.read())
     return *error;
-  Trace trace =
-      record(program.program, program.text, reader.inputs(), {m_numerics, besides(m_numerics)});
+  Trace trace = record(program, text, reader.inputs(), {numerics, besides(numerics)});
   if (reader.failure())
     return *reader.failure();
   return trace;
 }
 
-Result<Findings, DebugError> findingsOf(Session &session, int x, int y) {
-  auto trace = session.trace(x, y);
+Result<Findings, DebugError> findingsOf(Drawer &drawer, const fp::ir::Program &program,
+                                        std::string_view text, int x, int y, Numerics numerics) {
+  auto trace = traceOf(drawer, program, text, x, y, numerics);
   if (!trace)
     return trace.error();
-  auto verdict = session.verdict(trace.value(), x, y);
+  auto verdict = judge(drawer, program, trace.value(), x, y);
   if (!verdict)
     return verdict.error();
   Findings findings;
-  findings.document = session.fragment().name;
   findings.x = x;
   findings.y = y;
-  findings.width = session.drawer().size()[0];
-  findings.height = session.drawer().size()[1];
+  findings.width = drawer.size()[0];
+  findings.height = drawer.size()[1];
   findings.trace = std::move(trace).value();
   findings.verdict = std::move(verdict).value();
+  return findings;
+}
+
+Result<Findings, DebugError> findingsOf(Session &session, int x, int y) {
+  const CheckedText &fragment = session.fragment();
+  auto findings =
+      findingsOf(session.drawer(), fragment.program, fragment.text, x, y, session.numerics());
+  if (findings)
+    findings.value().document = fragment.name;
   return findings;
 }
 

@@ -52,6 +52,11 @@ struct CheckedText {
 checkText(std::string name, std::string text, const fp::FileProgram &program,
           const fp::hw::Profile &profile, fp::Numerics numerics, const Style &style);
 
+/// Traces a pixel of a program under the arithmetic, beside which another is computed.
+[[nodiscard]] Result<Trace, DebugError> traceOf(Drawer &drawer, const fp::ir::Program &program,
+                                                std::string_view text, int x, int y,
+                                                fp::Numerics numerics);
+
 class Session {
 public:
   [[nodiscard]] static Result<std::unique_ptr<Session>, SessionError>
@@ -67,7 +72,9 @@ public:
   [[nodiscard]] fp::Numerics numerics() const { return m_numerics; }
 
   /// Traces a pixel with \p program in place of the document's. Pixels count from the lower left.
-  [[nodiscard]] Result<Trace, DebugError> trace(const CheckedText &program, int x, int y);
+  [[nodiscard]] Result<Trace, DebugError> trace(const CheckedText &program, int x, int y) {
+    return traceOf(*m_drawer, program.program, program.text, x, y, m_numerics);
+  }
   [[nodiscard]] Result<Trace, DebugError> trace(int x, int y) { return trace(m_fragment, x, y); }
   [[nodiscard]] Result<Verdict, DebugError> verdict(const Trace &trace, int x, int y) {
     return judge(*m_drawer, m_fragment.program, trace, x, y);
@@ -104,6 +111,10 @@ private:
 };
 
 /// Traces a pixel and compares the trace with the drawn picture.
+[[nodiscard]] Result<Findings, DebugError> findingsOf(Drawer &drawer,
+                                                      const fp::ir::Program &program,
+                                                      std::string_view text, int x, int y,
+                                                      fp::Numerics numerics);
 [[nodiscard]] Result<Findings, DebugError> findingsOf(Session &session, int x, int y);
 
 } // namespace arbiter::tools::debug

@@ -7,6 +7,8 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include "util/file.h"
+
 namespace arbiter::tools::lsp {
 
 namespace {
@@ -109,14 +111,7 @@ bool Transport::pending() const {
 bool Transport::write(std::string_view body) {
   std::string message = "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n";
   message += body;
-  std::string_view left = message;
-  while (!left.empty()) {
-    const ssize_t count = ::write(m_out, left.data(), left.size());
-    if (count < 0 && errno != EINTR)
-      return false;
-    left.remove_prefix(count > 0 ? std::size_t(count) : 0);
-  }
-  return true;
+  return writeAll(m_out, message);
 }
 
 } // namespace arbiter::tools::lsp

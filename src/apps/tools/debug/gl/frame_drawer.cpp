@@ -1,6 +1,6 @@
 #include "apps/tools/debug/gl/frame_drawer.h"
 
-#include <epoxy/gl.h>
+#include "apps/tools/draw/gl_queries.h"
 
 namespace arbiter::tools::debug {
 
@@ -34,24 +34,10 @@ private:
 /// The target of ATI_text_fragment_shader, which Debian's headers lack.
 constexpr GLenum kTextFragmentShaderAti = 0x8200;
 
-GLenum targetOf(fp::ir::TexTarget target) {
-  using fp::ir::TexTarget;
-  switch (target) {
-  case TexTarget::Tex1D:
-  case TexTarget::Shadow1D:
-    return GL_TEXTURE_1D;
-  case TexTarget::Tex3D:
-    return GL_TEXTURE_3D;
-  case TexTarget::Cube:
-    return GL_TEXTURE_CUBE_MAP_POSITIVE_X;
-  case TexTarget::Rect:
-  case TexTarget::ShadowRect:
-    return GL_TEXTURE_RECTANGLE_ARB;
-  case TexTarget::Tex2D:
-  case TexTarget::Shadow2D:
-    break;
-  }
-  return GL_TEXTURE_2D;
+/// Returns the target of a texture's images.
+GLenum imageTarget(fp::ir::TexTarget target) {
+  const GLenum bound = glTarget(target);
+  return bound == GL_TEXTURE_CUBE_MAP ? GL_TEXTURE_CUBE_MAP_POSITIVE_X : bound;
 }
 
 /// Copies depth and stencil from the read framebuffer to the draw framebuffer.
@@ -224,7 +210,7 @@ Result<std::array<int, 3>, DebugError> FrameDrawer::textureSize(unsigned unit,
   glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
   glActiveTexture(GL_TEXTURE0 + unit);
   for (std::size_t i = 0; i < 3; ++i)
-    glGetTexLevelParameteriv(targetOf(target), 0, kSides[i], &size[i]);
+    glGetTexLevelParameteriv(imageTarget(target), 0, kSides[i], &size[i]);
   glActiveTexture(GLenum(active));
   if (const GLenum code = glGetError(); code != GL_NO_ERROR)
     return glError(code);
