@@ -9,22 +9,19 @@ namespace arbiter::tools::lsp {
 /// Answers arbiter/report for an editor's gauges, like `arbiter check --json`: the counts, the
 /// limits, and reasons for the native counts. The program is the one at the position, or the first
 /// fragment program.
-Server::Reply Server::reportOf(const Json &params) {
-  Document *document = find(params);
-  if (!document)
-    return noDocument();
+Server::Reply Server::reportOf(Document &document, const Json &params) {
   CheckedFile file;
-  file.name = document->uri();
-  file.text = document->text();
-  const fp::hw::Profile &profile = profileOf(*document);
+  file.name = document.uri();
+  file.text = document.text();
+  const fp::hw::Profile &profile = profileOf(document);
   const Json *const position = member(params, {"position"});
-  const auto offset = position ? document->map().offset(*position) : std::nullopt;
-  const Analysis &analysis = document->analysis(
-      profile, offset.value_or(chooseProgram("auto", document->text()).span.begin));
+  const auto offset = position ? document.map().offset(*position) : std::nullopt;
+  const Analysis &analysis = document.analysis(
+      profile, offset.value_or(chooseProgram("auto", document.text()).span.begin));
   file.language = analysis.language;
   if (analysis.program.in(file.text).size() != file.text.size()) {
     file.part = analysis.program.span;
-    file.hasSiblings = document->analyses(profile).size() > 1;
+    file.hasSiblings = document.analyses(profile).size() > 1;
   }
   file.profile = &profile;
   file.limits = limitsOf(profile, file.language);

@@ -136,11 +136,8 @@ Server::Reply Server::renameAt(const Json &params) {
   });
 }
 
-Server::Reply Server::symbolsOf(const Json &params) {
-  Document *document = find(params);
-  if (!document)
-    return noDocument();
-  return ofEach(*document, documentSymbols);
+Server::Reply Server::symbolsOf(Document &document, const Json &) {
+  return ofEach(document, documentSymbols);
 }
 
 /// Returns the bytes of the parameters' range.
@@ -154,28 +151,22 @@ std::optional<fp::Span> Server::rangeOf(const Document &document, const Json &pa
   return fp::Span{*from, *to};
 }
 
-Server::Reply Server::inlayHintsOf(const Json &params) {
-  Document *document = find(params);
-  if (!document)
-    return noDocument();
-  const std::optional<fp::Span> span = rangeOf(*document, params);
+Server::Reply Server::inlayHintsOf(Document &document, const Json &params) {
+  const std::optional<fp::Span> span = rangeOf(document, params);
   if (!span)
     return noPosition();
-  Json hints = ofEach(*document, [&](const View &view) { return inlayHints(view, *span); });
-  for (Json &value : m_traces.hints(*document, *span))
+  Json hints = ofEach(document, [&](const View &view) { return inlayHints(view, *span); });
+  for (Json &value : m_traces.hints(document, *span))
     hints.push_back(std::move(value));
   return hints;
 }
 
 /// Answers {textDocument, pixel: [x, y] or null, pass?, frame?, against?: "swrast" or "host"}; null
 /// ends the trace.
-Server::Reply Server::traceOf(const Json &params) {
-  const Document *document = find(params);
-  if (!document)
-    return noDocument();
+Server::Reply Server::traceOf(Document &document, const Json &params) {
   const Json *const pixel = member(params, {"pixel"});
   if (pixel && pixel->is_null()) {
-    m_traces.forget(document->uri());
+    m_traces.forget(document.uri());
     return Json();
   }
   if (!pixel || !pixel->is_array() || pixel->size() != 2 || !isSmall((*pixel)[0]) ||
@@ -193,7 +184,7 @@ Server::Reply Server::traceOf(const Json &params) {
   if (against && *against == "host")
     question.backend = debug::Backend::Host;
   question.profile = m_profiles.asked();
-  auto trace = m_traces.ask(*document, question);
+  auto trace = m_traces.ask(document, question);
   if (m_refreshesHints)
     send({{"jsonrpc", "2.0"}, {"id", m_nextId++}, {"method", "workspace/inlayHint/refresh"}});
   if (!trace)
@@ -201,11 +192,8 @@ Server::Reply Server::traceOf(const Json &params) {
   return std::move(trace).value();
 }
 
-Server::Reply Server::codeActionsOf(const Json &params) {
-  Document *document = find(params);
-  if (!document)
-    return noDocument();
-  const std::optional<fp::Span> span = rangeOf(*document, params);
+Server::Reply Server::codeActionsOf(Document &document, const Json &params) {
+  const std::optional<fp::Span> span = rangeOf(document, params);
   if (!span)
     return noPosition();
   ActionRequest request{*span, {}, m_showsDisabled};
@@ -213,8 +201,7 @@ Server::Reply Server::codeActionsOf(const Json &params) {
     for (const Json &kind : *only)
       if (kind.is_string())
         request.only.push_back(kind.get<std::string>());
-  return codeActions(viewAt(*document, span->begin), document->advice(profileOf(*document)),
-                     request);
+  return codeActions(viewAt(document, span->begin), document.advice(profileOf(document)), request);
 }
 
 /// Adds the edit to an action of this server that has none yet.
@@ -228,18 +215,12 @@ Server::Reply Server::resolveAction(const Json &action) {
   return resolved;
 }
 
-Server::Reply Server::adviceOf(const Json &params) {
-  Document *document = find(params);
-  if (!document)
-    return noDocument();
-  return adviceList(viewAt(*document, 0), document->advice(profileOf(*document)));
+Server::Reply Server::adviceOf(Document &document, const Json &) {
+  return adviceList(viewAt(document, 0), document.advice(profileOf(document)));
 }
 
-Server::Reply Server::semanticTokensOf(const Json &params) {
-  Document *document = find(params);
-  if (!document)
-    return noDocument();
-  return semanticTokens(viewsOf(*document));
+Server::Reply Server::semanticTokensOf(Document &document, const Json &) {
+  return semanticTokens(viewsOf(document));
 }
 
 } // namespace arbiter::tools::lsp

@@ -29,7 +29,7 @@ bool isId(const Json &id) { return id.is_string() || id.is_number_integer(); }
 
 struct Server::RequestRow {
   const char *method;
-  Request answer;
+  std::variant<Request, DocumentRequest> answer;
 };
 struct Server::NotificationRow {
   const char *method;
@@ -158,7 +158,12 @@ Server::Reply Server::answer(const std::string &method, const Json &params) {
     return RpcError{kInvalidRequest, "initialize came before"};
   if (row == std::end(kRequests))
     return RpcError{kMethodNotFound, "no method " + method.substr(0, 100)};
-  return (this->*row->answer)(params);
+  if (const Request *const request = std::get_if<Request>(&row->answer))
+    return (this->**request)(params);
+  Document *const document = find(params);
+  if (!document)
+    return noDocument();
+  return (this->*std::get<DocumentRequest>(row->answer))(*document, params);
 }
 
 void Server::notify(const std::string &method, const Json &params) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <variant>
 
 #include "apps/tools/lsp/answers.h"
 #include "apps/tools/lsp/trace.h"
@@ -39,6 +40,7 @@ public:
 private:
   using Reply = Result<Json, RpcError>;
   using Request = Reply (Server::*)(const Json &params);
+  using DocumentRequest = Reply (Server::*)(Document &document, const Json &params);
   using Notification = void (Server::*)(const Json &params);
 
   // server.cpp: messages
@@ -98,16 +100,16 @@ private:
   Reply highlightsAt(const Json &params);
   Reply prepareRenameAt(const Json &params);
   Reply renameAt(const Json &params);
-  Reply symbolsOf(const Json &params);
-  Reply inlayHintsOf(const Json &params);
-  Reply semanticTokensOf(const Json &params);
-  Reply traceOf(const Json &params);
-  Reply codeActionsOf(const Json &params);
+  Reply symbolsOf(Document &document, const Json &params);
+  Reply inlayHintsOf(Document &document, const Json &params);
+  Reply semanticTokensOf(Document &document, const Json &params);
+  Reply traceOf(Document &document, const Json &params);
+  Reply codeActionsOf(Document &document, const Json &params);
   Reply resolveAction(const Json &action);
-  Reply adviceOf(const Json &params);
+  Reply adviceOf(Document &document, const Json &params);
 
   // report.cpp
-  Reply reportOf(const Json &params);
+  Reply reportOf(Document &document, const Json &params);
 
   struct RequestRow;
   struct NotificationRow;
