@@ -8,7 +8,7 @@
 #include "fp_compiler/front/native/header.h"
 #include "fp_compiler/front/native/parser.h"
 #include "fp_compiler/front/nvparse/text.h"
-#include "fp_compiler/front/parser.h"
+#include "fp_compiler/front/arb/parser.h"
 #include "fp_compiler/hw/native.h"
 #include "fp_compiler/inspect.h"
 #include "fp_compiler/texture_shader/lower.h"

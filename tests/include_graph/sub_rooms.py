@@ -29,7 +29,7 @@ ORDER = {
                     "front", "doubts"],
     "fp_compiler/back": ["assembly", "llvm", "glsl"],
     "fp_compiler/back/llvm": ["code", "math", "pixel", "sample", "program", "fragment", "engine"],
-    "fp_compiler/front": ["words", "c_like", "core", "ati", "bindings", "nv", "assembly", "native", "nvparse",
+    "fp_compiler/front": ["words", "c_like", "core", "ati", "bindings", "nv", "assembly", "arb", "native", "nvparse",
                           "reference"],
     "fp_compiler/hw": ["i915", "nv30", "r300"],
     "fp_compiler/hw/r300": ["check", "execute", "lower", "pair", "report"],

@@ -147,7 +147,7 @@ private:
   bool undeclared(const Token &name);
   bool skipIndex();
 
-  // nv/parse.cpp: statements of NVIDIA's options
+  // nv_statements.cpp: statements of NVIDIA's options
   [[nodiscard]] bool hasConditions() const override { return isNv(); }
   [[nodiscard]] bool hasSecondCondition() const override { return isVertex() && isSecondNv(); }
   [[nodiscard]] bool hasAddressVectors() const override { return isNv(); }
@@ -160,7 +160,7 @@ private:
   [[nodiscard]] std::string laterOption(std::string_view word) const;
   bool unknownNvStatement(const Token &first);
 
-  // nv/parse_flow.cpp
+  // nv_flow.cpp
   bool parseBlockLabel(const Token &name);
   bool endBlock(const Token &opcode, ir::Opcode op);
   bool beginLoop(nv::Statement &statement);

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "fp_compiler/front/parser.h"
+#include "fp_compiler/front/arb/parser.h"
 #include "util/suggest.h"
 
 namespace arbiter::fp {

@@ -1,6 +1,6 @@
 // Parses bindings that only vertex programs have (ARB_vertex_program 2.14.3).
 
-#include "fp_compiler/front/parser.h"
+#include "fp_compiler/front/arb/parser.h"
 
 namespace arbiter::fp {
 

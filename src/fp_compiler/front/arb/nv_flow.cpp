@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "fp_compiler/front/arb/parser.h"
 #include "fp_compiler/front/nv/lowering.h"
-#include "fp_compiler/front/parser.h"
 #include "fp_compiler/nv_limits.h"
 
 namespace arbiter::fp {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "fp_compiler/front/parser.h"
+#include "fp_compiler/front/arb/parser.h"
 #include "util/suggest.h"
 
 namespace arbiter::fp {

@@ -1,4 +1,4 @@
-#include "fp_compiler/front/parser.h"
+#include "fp_compiler/front/arb/parser.h"
 
 #include <algorithm>
 

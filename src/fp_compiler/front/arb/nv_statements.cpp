@@ -4,8 +4,8 @@
 
 #include <utility>
 
+#include "fp_compiler/front/arb/parser.h"
 #include "fp_compiler/front/nv/lowering.h"
-#include "fp_compiler/front/parser.h"
 
 namespace arbiter::fp {
 

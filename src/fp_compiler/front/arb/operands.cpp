@@ -1,6 +1,6 @@
 #include <utility>
 
-#include "fp_compiler/front/parser.h"
+#include "fp_compiler/front/arb/parser.h"
 #include "fp_compiler/front/words/suffix.h"
 
 namespace arbiter::fp {

@@ -1,5 +1,5 @@
 
-#include "fp_compiler/front/parser.h"
+#include "fp_compiler/front/arb/parser.h"
 
 namespace arbiter::fp {
 
