@@ -166,6 +166,8 @@ Vec4 stateValue(const StateRef &ref) {
   case StateItem::PointSize:
   case StateItem::PointAttenuation:
     break; // vertex programs
+  case StateItem::FogFactors:
+    break; // no program names it
   }
   return {};
 }

@@ -130,20 +130,15 @@ private:
     return result;
   }
 
-  Value fogColor() {
-    ir::StateRef color;
-    color.item = ir::StateItem::FogColor;
-    return unknown(m_builder.state(color));
-  }
+  Value fogColor() { return unknown(m_builder.state({.item = ir::StateItem::FogColor})); }
 
-  /// Returns the fog factor (OpenGL 1.4, section 3.10), or one if fog is disabled. The state
-  /// parameters are the density, start, end and 1 / (end - start).
+  /// Returns the fog factor (OpenGL 1.4, section 3.10), or one if fog is disabled. It reads the
+  /// state that ARB texts can name, because hosts may get the program as one. The parameters are
+  /// the density, start, end and 1 / (end - start).
   Value fogFactor() {
     if (m_around.fog == ir::FogMode::None)
       return m_values.literal(1.0f);
-    ir::StateRef ref;
-    ref.item = ir::StateItem::FogParams;
-    const Source parameters = m_builder.state(ref);
+    const Source parameters = m_builder.state({.item = ir::StateItem::FogParams});
     const Source distance = m_builder.attribute(ir::AttributeKind::FogCoord).swz("x");
     const Target to = m_builder.temporary("fog").mask("w");
     const Source so = to.read().swz("w");

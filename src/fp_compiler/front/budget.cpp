@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fp_compiler/front/words/limit_words.h"
+#include "fp_compiler/ir/fog.h"
 
 namespace arbiter::fp {
 
@@ -52,9 +53,7 @@ void Budget::debit(const ir::Options &options) {
   m_debits.temporaries = 1;
   m_debits.attribs = 1;
   m_debits.parameters = 2;
-  m_debits.instructions = options.fog == ir::FogMode::Exp    ? 3
-                          : options.fog == ir::FogMode::Exp2 ? 4
-                                                             : 2;
+  m_debits.instructions = ir::rowOf(options.fog).instructions + 1;
   m_debits.aluInstructions = m_debits.instructions;
 }
 

@@ -135,6 +135,8 @@ enum class StateItem : std::uint8_t {
   ClipPlane,        ///< plane `index`, in eye coordinates
   PointSize,        ///< (size, smallest, largest, fade threshold)
   PointAttenuation, ///< (constant, linear, quadratic, 1)
+  // No language has a name for it.
+  FogFactors, ///< computed from FogParams (ir/fog.h)
 };
 enum class MatrixModifier : std::uint8_t { Plain, Inverse, Transpose, InvTrans };
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fp_compiler/ir/fog.h"
 #include "fp_compiler/ir/reads.h"
 
 namespace arbiter::fp::ir {
@@ -54,6 +55,8 @@ Vec4 Machine::read(Vec4 value, AttributeKind kind) const {
 Vec4 Machine::given(const Parameter &parameter) const {
   if (parameter.kind == ParameterKind::Constant)
     return parameter.constant;
+  if (parameter.kind == ParameterKind::State && parameter.state.item == StateItem::FogFactors)
+    return fogFactors(given(stateRow(StateItem::FogParams)));
   return m_inputs.parameter ? m_inputs.parameter(parameter) : Vec4{};
 }
 

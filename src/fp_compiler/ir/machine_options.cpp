@@ -1,17 +1,11 @@
 #include <algorithm>
 
+#include "fp_compiler/ir/fog.h"
 #include "fp_compiler/ir/machine.h"
 
 namespace arbiter::fp::ir {
 
 namespace {
-Parameter stateRow(StateItem item) {
-  Parameter parameter;
-  parameter.kind = ParameterKind::State;
-  parameter.state.item = item;
-  return parameter;
-}
-
 Vec4 clamped(Vec4 value) {
   for (float &component : value)
     component = saturated(component);
@@ -23,28 +17,21 @@ float Machine::compute(Opcode op, float a, float b, float c) const {
   return apply(op, {Vec4{a}, Vec4{b}, Vec4{c}}, m_numerics)[0];
 }
 
-/// Returns the fog factor before its clamp. Rows that a driver would load are computed in singles.
+/// Returns the fog factor before its clamp.
 float Machine::fogFactor() const {
-  const Vec4 params = given(stateRow(StateItem::FogParams));
+  const Vec4 row = resolve(stateRow(StateItem::FogFactors));
   const float c = held(m_inputs.fogCoordinate, m_numerics);
-  const auto scaled = [&](float value) {
-    return compute(Opcode::Mul, c, loaded(value, m_numerics));
-  };
-  constexpr float kOneOverLn2 = 1.442695041f, kOneOverRootLn2 = 1.201122409f;
   switch (m_program.options.fog) {
   case FogMode::None:
     break;
   case FogMode::Exp:
-    return compute(Opcode::Ex2, -scaled(params[0] * kOneOverLn2));
+    return compute(Opcode::Ex2, compute(Opcode::Mul, c, row[2]));
   case FogMode::Exp2: {
-    const float root = scaled(params[0] * kOneOverRootLn2);
+    const float root = compute(Opcode::Mul, c, row[3]);
     return compute(Opcode::Ex2, -compute(Opcode::Mul, root, root));
   }
   case FogMode::Linear:
-    if (m_numerics != Numerics::Fp24)
-      return (params[2] - c) / (params[2] - params[1]);
-    return compute(Opcode::Mad, c, loaded(-params[3], m_numerics),
-                   loaded(params[2] * params[3], m_numerics));
+    return compute(Opcode::Mad, c, row[0], row[1]);
   }
   return 1.0f;
 }

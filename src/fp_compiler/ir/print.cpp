@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "fp_compiler/ir/fog.h"
 #include "fp_compiler/ir/reads.h"
 
 namespace arbiter::fp::ir {
@@ -159,6 +160,8 @@ std::string stateBinding(const StateRef &ref) {
     return "state.fog.color";
   case StateItem::FogParams:
     return "state.fog.params";
+  case StateItem::FogFactors:
+    return "state.fog.factors";
   case StateItem::DepthRange:
     return "state.depth.range";
   case StateItem::MatrixModelview:
@@ -184,13 +187,12 @@ std::string stateBinding(const StateRef &ref) {
 
 std::string optionsText(const Options &options, Language language) {
   std::string text;
-  constexpr const char *kFog[] = {"", "ARB_fog_exp", "ARB_fog_exp2", "ARB_fog_linear"};
   constexpr const char *kHint[] = {"", "ARB_precision_hint_fastest", "ARB_precision_hint_nicest"};
   const auto option = [&](bool given, const char *name) {
     if (given)
       text += std::string("option ") + name + "\n";
   };
-  option(options.fog != FogMode::None, kFog[std::size_t(options.fog)]);
+  option(options.fog != FogMode::None, rowOf(options.fog).option);
   option(options.precision != Precision::Unspecified, kHint[std::size_t(options.precision)]);
   option(options.shadow, "ARB_fragment_program_shadow");
   option(options.drawBuffers, "ARB_draw_buffers");

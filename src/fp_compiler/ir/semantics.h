@@ -71,9 +71,9 @@
 /// loses b (hosts compute it so); x - x of an infinity or a NaN (hosts give 0, as GLSL need not
 /// support NaN); ABS_SAT of a NaN (0 or 1); a sample at an infinity or NaN.
 ///
-/// Options. ARB_fog_*: each output colour is clamped to [0,1], then its rgb is
-/// f*rgb + (1-f)*fog.rgb, as LRP, with f = SAT of 2^(-dc/ln 2), 2^(-(dc)^2/ln 2), or
-/// (end-c)/(end-start).
+/// Options. Colour sum: the rgb of each output colour is clamped to [0,1], then ADD of the secondary
+/// colour. ARB_fog_*: each output colour is clamped to [0,1], then its rgb is f*rgb + (1-f)*fog.rgb,
+/// as LRP, with the factor f of ir/fog.h. Its instructions are MUL EX2, MUL MUL EX2 or MAD.
 ///
 /// All of this is Numerics::Host. The other modes differ from it only as follows:
 ///
@@ -102,14 +102,9 @@
 ///   Exact     ABS CMP FLR MAX MIN MOV SGE SLT SWZ KIL, signs and _SAT need no rounding.
 ///   Textures  Texels are fp24::rounded. The texture unit does TXP's division and TXB's bias: in
 ///             singles, from 24-bit coordinates, without rounding to 24 bits.
-///   Options   Fog is the instructions that the specification charges for it: MUL EX2, MUL MUL EX2
-///             or MAD, and LRP.
-///             exp     f = EX2(-MUL(c, p)), p = d * 1.442695041 (1 / ln 2)
-///             exp2    f = EX2(-MUL(t, t)), t = MUL(c, p), p = d * 1.201122409 (1 / sqrt(ln 2))
-///             linear  f = MAD(c, -s, p), s = fog.params.w, p = end * s
-///             c is read as an attribute; p and s are rows that a driver loads: computed in singles
-///             from the state without rounding, then truncated. Colour sum is an ADD of the
-///             secondary colour, read as that attribute.
+///   Options   The fog coordinate and the secondary colour are read as attributes. The row of ir/fog.h
+///             is one that a driver loads: computed in singles from the state without rounding, then
+///             truncated.
 ///   Outputs   are stored without conversion; a depth that is not written is the fragment's own.
 // clang-format on
 namespace arbiter::fp::ir {

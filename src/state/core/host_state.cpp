@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "fp_compiler/ir/fog.h"
 #include "host/host_table.h"
 #include "state/core/core_context.h"
 #include "state/core/host_state.h"
@@ -221,6 +222,12 @@ void fetchState(CoreContext &context, const StateRef &state, GLfloat value[4]) {
     return host.GetFloatv(GL_FOG_COLOR, value);
   case StateItem::FogParams:
     return fogParams(host, value);
+  case StateItem::FogFactors: {
+    fp::ir::Vec4 params;
+    fogParams(host, params.data());
+    std::ranges::copy(fp::ir::fogFactors(params), value);
+    return;
+  }
   case StateItem::DepthRange:
     host.GetFloatv(GL_DEPTH_RANGE, value);
     value[2] = value[1] - value[0];

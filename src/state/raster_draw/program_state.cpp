@@ -60,6 +60,7 @@ std::uint32_t dirtyGroupsOf(const fp::ir::StateRef &state) {
     return dirty::kTextureParameters;
   case StateItem::FogColor:
   case StateItem::FogParams:
+  case StateItem::FogFactors:
     return dirty::kFog;
   case StateItem::DepthRange:
     return dirty::kViewport;

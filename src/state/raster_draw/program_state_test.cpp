@@ -103,6 +103,28 @@ TEST(ProgramValues, AskForStateOnlyWhereItIsStale) {
   EXPECT_EQ(valueOf(values, row), (Vec4{2, 0, 0, 0}));
 }
 
+TEST(ProgramValues, HaveFogsFactorsForTheOptions) {
+  const RealHost host;
+  ASSERT_TRUE(host.valid()) << "no context of OSMesa";
+  Context &context = host.context();
+  Builder b(fp::ir::Language::ArbFragment);
+  const auto row = b.state(ref(StateItem::FogFactors));
+  ProgramValues values(b.program());
+  GenerationCounter clock;
+  clock.take(context.dirty);
+  const auto factors = [&](float density, float start, float end) {
+    glFogf(GL_FOG_DENSITY, density);
+    glFogf(GL_FOG_START, start);
+    glFogf(GL_FOG_END, end);
+    context.dirty |= dirty::kFog;
+    clock.take(context.dirty);
+    EXPECT_TRUE(values.update(context, clock, nullptr));
+    return valueOf(values, row);
+  };
+  EXPECT_EQ(factors(2, -1, 3), (Vec4{-0.25f, 0.75f, 2 * -1.442695041f, 2 * 1.201122409f}));
+  EXPECT_EQ(factors(0, 2, 2), (Vec4{-0x1p40f, 0x1p41f, -0.0f, 0})) << "a step";
+}
+
 /// Returns every kind of row that a program can name.
 std::vector<StateRef> allRows() {
   std::vector<StateRef> rows;

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <string_view>
 
+#include "fp_compiler/ir/fog.h"
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/resources.h"
 #include "state/report/format_name.h"
@@ -83,13 +84,12 @@ std::vector<const char *> optionNames(const fp::ir::Options &options, bool verte
   std::vector<const char *> names;
   constexpr const char *kNv[2][3] = {{nullptr, "NV_fragment_program", "NV_fragment_program2"},
                                      {nullptr, "NV_vertex_program2", "NV_vertex_program3"}};
-  constexpr const char *kFog[] = {nullptr, "ARB_fog_exp", "ARB_fog_exp2", "ARB_fog_linear"};
   constexpr const char *kPrecision[] = {nullptr, "ARB_precision_hint_fastest",
                                         "ARB_precision_hint_nicest"};
   const bool own = options.native != fp::ir::NativeLanguage::None; // the header says it
   for (const char *name :
        {own ? nullptr : kNv[vertex ? 1 : 0][std::size_t(options.nv)],
-        kFog[std::size_t(options.fog)], kPrecision[std::size_t(options.precision)],
+        fp::ir::rowOf(options.fog).option, kPrecision[std::size_t(options.precision)],
         options.shadow ? "ARB_fragment_program_shadow" : nullptr,
         options.drawBuffers ? "ARB_draw_buffers" : nullptr,
         options.originUpperLeft ? "ARB_fragment_coord_origin_upper_left" : nullptr,

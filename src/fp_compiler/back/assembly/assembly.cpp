@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "fp_compiler/back/assembly/names.h"
+#include "fp_compiler/ir/fog.h"
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/ir/reads.h"
 
@@ -18,14 +19,13 @@ namespace {
 constexpr const char *kLetters = "xyzw01";
 
 std::string options(const ir::Options &o, bool vertex) {
-  constexpr const char *kFog[] = {"", "ARB_fog_exp", "ARB_fog_exp2", "ARB_fog_linear"};
   constexpr const char *kHint[] = {"", "ARB_precision_hint_fastest", "ARB_precision_hint_nicest"};
   std::string text;
   const auto option = [&](bool given, const char *name) {
     if (given)
       text += std::string("OPTION ") + name + ";\n";
   };
-  option(o.fog != ir::FogMode::None, kFog[std::size_t(o.fog)]);
+  option(o.fog != ir::FogMode::None, ir::rowOf(o.fog).option);
   option(o.precision != ir::Precision::Unspecified, kHint[std::size_t(o.precision)]);
   // The ARB languages have no texture samples in vertex programs. Only NV_vertex_program3 has, and
   // does not need the option.

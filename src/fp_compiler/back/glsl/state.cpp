@@ -84,6 +84,9 @@ std::optional<StateText> stateText(const StateRef &ref) {
   case StateItem::FogParams:
     return expression("vec4(gl_Fog.density, gl_Fog.start, gl_Fog.end, "
                       "1.0 / (gl_Fog.end - gl_Fog.start))");
+  case StateItem::FogFactors:
+    return expression("vec4(-gl_Fog.scale, gl_Fog.end * gl_Fog.scale, "
+                      "gl_Fog.density * -1.442695041, gl_Fog.density * 1.201122409)");
   case StateItem::DepthRange:
     return expression("vec4(gl_DepthRange.near, gl_DepthRange.far, gl_DepthRange.diff, 1.0)");
   case StateItem::MatrixModelview:

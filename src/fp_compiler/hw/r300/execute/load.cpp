@@ -1,8 +1,7 @@
 #include "fp_compiler/hw/r300/execute/load.h"
 
-#include <cmath>
-
 #include "fp_compiler/hw/r300/execute/execute.h"
+#include "fp_compiler/ir/fog.h"
 
 namespace arbiter::fp::hw::r300 {
 
@@ -13,22 +12,6 @@ template <typename F> Vec4 each(Vec4 value, F change) {
   for (float &component : value)
     component = change(component);
   return value;
-}
-
-ir::Parameter stateRow(ir::StateItem item) {
-  ir::Parameter parameter;
-  parameter.kind = ir::ParameterKind::State;
-  parameter.state.item = item;
-  return parameter;
-}
-
-/// Returns Constant::FogFactors for state.fog.params, which is (density, start, end,
-/// 1/(end-start)).
-Vec4 fogFactors(const Vec4 &params) {
-  constexpr double kLn2 = 0.693147180559945309;
-  const double density = params[0], start = params[1], end = params[2];
-  return {float(-1.0 / (end - start)), float(end / (end - start)), float(-density / kLn2),
-          float(density / std::sqrt(kLn2))};
 }
 
 Vec4 clipPosition(const Vec4 &window) {
@@ -58,9 +41,10 @@ Vec4 valueOf(const Constant &constant, const Surroundings &surroundings) {
   case Constant::Kind::ViewportOffset:
     return kViewportOffset;
   case Constant::Kind::FogColor:
-    return valueOfParameter(stateRow(ir::StateItem::FogColor), surroundings.inputs);
+    return valueOfParameter(ir::stateRow(ir::StateItem::FogColor), surroundings.inputs);
   case Constant::Kind::FogFactors:
-    return fogFactors(valueOfParameter(stateRow(ir::StateItem::FogParams), surroundings.inputs));
+    return ir::fogFactors(
+        valueOfParameter(ir::stateRow(ir::StateItem::FogParams), surroundings.inputs));
   }
   return {};
 }
