@@ -1,8 +1,7 @@
 #include "fp_compiler/fixed_function.h"
 
-#include <algorithm>
-
 #include "fp_compiler/ir/reads.h"
+#include "fp_compiler/opt/opt.h"
 
 namespace arbiter::fp {
 
@@ -46,59 +45,9 @@ ir::Program withFixedFunction(ir::Program program, const FixedFunction &state) {
   return program;
 }
 
-namespace {
-
-std::uint16_t indexOf(std::vector<ir::Attribute> &attributes, ir::Attribute attribute) {
-  const auto it = std::find(attributes.begin(), attributes.end(), attribute);
-  const auto index = std::uint16_t(it - attributes.begin());
-  if (it == attributes.end())
-    attributes.push_back(attribute);
-  return index;
-}
-
-/// Collects the colour in a temporary. Appends code that clamps it and adds the secondary colour's
-/// rgb.
-void addSecondaryColor(ir::Program &program) {
-  const auto sum = std::uint16_t(program.temporaries.size());
-  program.temporaries.push_back({"sum"});
-  std::uint16_t color = 0;
-  for (ir::Instruction &instruction : program.code) {
-    if (ir::info(instruction.op).has(ir::Kills) || instruction.dst.file != ir::File::Output ||
-        program.outputs[instruction.dst.index].kind != ir::OutputKind::Color)
-      continue;
-    color = instruction.dst.index;
-    instruction.dst.file = ir::File::Temporary;
-    instruction.dst.index = sum;
-  }
-  const ir::Operand gathered = {.file = ir::File::Temporary, .index = sum};
-  const ir::Operand secondary = {
-      .file = ir::File::Attribute,
-      .index = indexOf(program.attributes, {ir::AttributeKind::ColorSecondary})};
-  const auto append = [&](ir::Opcode op, ir::Destination dst, const ir::Operand &a,
-                          const ir::Operand &b) {
-    ir::Instruction instruction;
-    instruction.op = op;
-    instruction.dst = dst;
-    instruction.src = {a, b};
-    program.code.push_back(instruction);
-  };
-  append(ir::Opcode::Mov, {.file = ir::File::Temporary, .index = sum, .saturate = true}, gathered,
-         {});
-  append(ir::Opcode::Add, {.file = ir::File::Output, .index = color, .mask = 7}, gathered,
-         secondary);
-  append(ir::Opcode::Mov, {.file = ir::File::Output, .index = color, .mask = 8}, gathered, {});
-}
-
-} // namespace
-
 ir::Program asArbFragment(ir::Program program) {
   program.language = ir::Language::ArbFragment;
-  const bool colored =
-      std::any_of(program.outputs.begin(), program.outputs.end(),
-                  [](const ir::Output &output) { return output.kind == ir::OutputKind::Color; });
-  if (program.options.colorSum && colored)
-    addSecondaryColor(program);
-  program.options.colorSum = false;
+  opt::lowerOptions(program, {.hasFog = true});
   return program;
 }
 

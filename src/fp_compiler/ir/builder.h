@@ -1,6 +1,7 @@
 #pragma once
 #include <initializer_list>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "fp_compiler/ir/ir.h"
@@ -33,6 +34,8 @@ struct Target : Destination {
 class Builder {
 public:
   explicit Builder(Language language = Language::ArbFragment) { m_program.language = language; }
+  /// Appends to a program.
+  explicit Builder(Program &&program) : m_program(std::move(program)) {}
   /// Declares a temporary, named "t<n>" if no name is given.
   Target temporary(std::string_view name = {});
   Target color(int index = 0);

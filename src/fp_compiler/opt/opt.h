@@ -41,6 +41,22 @@ namespace arbiter::fp::opt {
 /// selects replace it.
 [[nodiscard]] bool followLoops(ir::Program &program, Numerics numerics = Numerics::Host);
 
+/// Describes how a target handles the fog options.
+struct OptionTarget {
+  /// True if the target applies fog itself, after the program. The program then keeps the option.
+  bool hasFog = false;
+  /// True if fog coordinates may be negative distances (GlslHost::negativeFogDistances). The factor
+  /// is then that of the absolute value.
+  bool hasNegativeFogDistances = false;
+};
+
+/// Replaces the program's colour sum and fog options by instructions at its end, which read the
+/// attributes and the state that the options read. Colours are collected in temporaries. It is not
+/// one of run()'s passes, and adds attributes, parameters and temporaries. Back ends that write
+/// code call it first. Models of cards count the options as they are, because each card has its own
+/// instructions for them.
+bool lowerOptions(ir::Program &program, const OptionTarget &target = {});
+
 /// Runs all passes until nothing changes, or up to a maximum number of rounds.
 void run(ir::Program &program, Numerics numerics = Numerics::Host);
 
