@@ -315,8 +315,6 @@ struct FragmentData {
   std::uint8_t stencilReference[2] = {}; ///< front, back
   std::uint8_t stencilCompareMask[2] = {0xFF, 0xFF};
   std::uint8_t stencilWriteMask[2] = {0xFF, 0xFF};
-  float fogColor[4] = {};
-  float fogDensity = 1, fogStart = 0, fogEnd = 1, fogScale = 1; ///< scale: 1/(end-start)
   float windowHeight = 0;   ///< for fragment.position with the origin at the upper left
   std::int32_t originY = 0; ///< the row whose first pixel is the origin of all planes
   float depthMinimum = 0, depthMaximum = 1; ///< range that fragment depth is clamped to

@@ -30,7 +30,7 @@ struct Sampler {
 /// The properties that a key depends on: the inputs, samplers and outputs of a program after the
 /// passes.
 struct FragmentShape {
-  std::vector<FragmentInput> inputs; ///< includes the fog coordinate if an option needs it
+  std::vector<FragmentInput> inputs; ///< includes what the program's options read
   std::vector<Sampler> samplers;
   std::uint8_t colorOutputs = 0; ///< bit i: result.color[i] is written
   bool writesDepth = false;
@@ -46,8 +46,8 @@ class FragmentProgram {
 public:
   virtual ~FragmentProgram() = default;
   [[nodiscard]] virtual const FragmentShape &shape() const = 0;
-  /// Returns the program after the passes. FragmentData::parameters has a row for each of its
-  /// parameters.
+  /// Returns the program after the passes, with its fog and colour sum as instructions.
+  /// FragmentData::parameters has a row for each of its parameters.
   [[nodiscard]] virtual const ir::Program &program() const = 0;
 };
 
@@ -93,7 +93,7 @@ public:
   [[nodiscard]] virtual int blockWidth() const = 0; ///< for Lanes::Quad: 2, 4, 4
   [[nodiscard]] virtual int blockHeight() const = 0;
   [[nodiscard]] virtual std::string target() const = 0; ///< "skylake-avx512, 16 lanes"
-  /// Returns null for Fp24, which is not supported. Fog and colour sum are the program's options.
+  /// Returns null for Fp24, which is not supported.
   [[nodiscard]] virtual std::unique_ptr<FragmentProgram> prepareFragment(const ir::Program &program,
                                                                          Numerics numerics) = 0;
   [[nodiscard]] virtual std::unique_ptr<VertexProgram> prepareVertex(const ir::Program &program,

@@ -113,16 +113,6 @@ void queryPointSprites(const HostCaps &caps, const HostQuery &query, Mirror &mir
   }
 }
 
-void queryFog(const HostQuery &query, Mirror &mirror) {
-  abi::FragmentData &data = mirror.constants;
-  query.host.GetFloatv(GL_FOG_COLOR, data.fogColor);
-  data.fogDensity = query.number(GL_FOG_DENSITY);
-  data.fogStart = query.number(GL_FOG_START);
-  data.fogEnd = query.number(GL_FOG_END);
-  const float span = data.fogEnd - data.fogStart;
-  data.fogScale = span != 0.0f ? 1.0f / span : 0.0f;
-}
-
 } // namespace
 
 void Mirror::refresh(std::uint32_t &dirty) {
@@ -147,8 +137,6 @@ void Mirror::refresh(std::uint32_t &dirty) {
     queryPointSprites(m_caps, query, *this);
   if ((groups & dirty::kPixelOps) != 0)
     queryPixelOps(m_caps, query, *this);
-  if ((groups & dirty::kFog) != 0)
-    queryFog(query, *this);
   if ((groups & (dirty::kQueries | dirty::kPixelOps | dirty::kRaster | dirty::kViewport)) != 0)
     queryObstacles(m_caps, query, *this);
 }

@@ -158,7 +158,7 @@ public:
   /// The stencil and depth write masks are in constants.stencilWriteMask and
   /// pixelOps.depthStencil.depthWrite (with depthTest).
   abi::FragmentKey pixelOps;   ///< tests, blending, masks; without formats, inputs and samplers
-  abi::FragmentData constants; ///< references, blend colour, fog
+  abi::FragmentData constants; ///< references, blend colour
   /// CLAMP_FRAGMENT_COLOR is FIXED_ONLY: pixelOps.clampColors applies to fixed-point targets, and
   /// float targets are not clamped.
   bool clampFixedOnly = true;

@@ -199,7 +199,7 @@ Outcome Pipeline::readyPixels(RasterContext &context, const IndexRange &indices,
 
   constexpr std::uint32_t kRasterGroups =
       dirty::kViewport | dirty::kRaster | dirty::kTexGen | dirty::kTextureParameters;
-  constexpr std::uint32_t kDataGroups = dirty::kPixelOps | dirty::kFog | dirty::kViewport;
+  constexpr std::uint32_t kDataGroups = dirty::kPixelOps | dirty::kViewport;
   const std::uint32_t changed = m_filled ? mirror.clock.changedSince(m_filledSeen) : dirty::kAll;
   if ((changed & kRasterGroups) != 0)
     fillRaster(mirror);

@@ -183,22 +183,6 @@ constexpr Field kRaster[] = {
          }
        };
      }},
-    {"fog", dirty::kFog,
-     [](Numbers &n) -> Check {
-       const float color[4] = {n.real(0, 1), n.real(0, 1), n.real(0, 1), n.real(0, 1)};
-       const float density = n.real(0, 4), start = n.real(-2, 2), end = n.real(3, 8);
-       glFogfv(GL_FOG_COLOR, color);
-       glFogf(GL_FOG_DENSITY, density);
-       glFogf(GL_FOG_START, start);
-       glFogf(GL_FOG_END, end);
-       return [=, red = color[0]](const Mirror &m) {
-         EXPECT_EQ(m.constants.fogColor[0], red);
-         EXPECT_EQ(m.constants.fogDensity, density);
-         EXPECT_EQ(m.constants.fogStart, start);
-         EXPECT_EQ(m.constants.fogEnd, end);
-         EXPECT_EQ(m.constants.fogScale, 1 / (end - start));
-       };
-     }},
 };
 
 } // namespace

@@ -1,10 +1,10 @@
 #include "fp_compiler/back/llvm/fragment/fragment.h"
 
 #include "fp_compiler/back/llvm/fragment/fragment_bytes.h"
+#include "fp_compiler/back/llvm/fragment/fragment_coverage.h"
 #include "fp_compiler/back/llvm/fragment/fragment_discards.h"
 #include "fp_compiler/back/llvm/fragment/fragment_hooks.h"
 #include "fp_compiler/back/llvm/fragment/fragment_items.h"
-#include "fp_compiler/back/llvm/fragment/fragment_options.h"
 #include "fp_compiler/back/llvm/pixel/pixel_depth.h"
 
 namespace arbiter::fp::llvm_back {
@@ -284,7 +284,7 @@ private:
     leaveIfNone(notDiscarded(place, fragment, mask), rest);
   }
 
-  /// Writes the program over one vector of pixels, and applies its options.
+  /// Writes the program over one vector of pixels.
   /// \param given the texels of SamplePath::Given
   FragmentColors colorsOf(const jit::FragmentProgram &source, SamplePath path,
                           const ConsecutiveSamples *samples, const PixelPlace &place,
@@ -310,8 +310,6 @@ private:
     fragment.alive = hooks.alive();
     m_refused |= hooks.refused();
     fragment.texels = hooks.takeTexels();
-    applyOptions(m_code, m_places, m_function->getArg(0), program.options, Numerics(m_key.numerics),
-                 hooks, fragment);
     if (m_key.coverage != abi::Coverage::Whole)
       applyCoverage(m_code, m_key.coverage,
                     m_interpolator.input(int(m_program.shape().inputs.size()), 0xF), fragment);

@@ -120,11 +120,9 @@ private:
 
 /// True if only the write mask comes between the program's colour and the buffer.
 bool isPlain(const jit::FragmentProgram &program, const abi::FragmentKey &key) {
-  const ir::Options &options = program.program().options;
-  return key.lanes == abi::Lanes::Row && options.fog == ir::FogMode::None && !options.colorSum &&
-         key.alphaTest == abi::Compare::Always && !key.logicOpEnabled &&
-         key.coverage == abi::Coverage::Whole && key.depthStencil.layout == abi::Layout::None &&
-         !program.shape().writesDepth;
+  return key.lanes == abi::Lanes::Row && key.alphaTest == abi::Compare::Always &&
+         !key.logicOpEnabled && key.coverage == abi::Coverage::Whole &&
+         key.depthStencil.layout == abi::Layout::None && !program.shape().writesDepth;
 }
 /// True if one instruction looks up 64 bytes in tables of 256.
 bool permutesBytes(const Cpu &cpu) {

@@ -47,8 +47,6 @@ ir::Program withoutColors(ir::Program program, bool testsAlpha) {
   std::erase_if(program.code, [&](const ir::Instruction &instruction) {
     return isOutput(instruction) && instruction.dst.mask == 0;
   });
-  program.options.fog = ir::FogMode::None; // fog and colour sum do not change alpha
-  program.options.colorSum = false;
   return program;
 }
 

@@ -1,4 +1,5 @@
 #include "fp_compiler/back/llvm/testing/fragment_window.h"
+#include "fp_compiler/ir/fog.h"
 
 /// Tests of further parts of a fragment function: KIL, the window position, several targets, masks,
 /// options.
@@ -43,13 +44,12 @@ TEST_P(FragmentTest, AppliesFogAndColourSum) {
     b.op(Opcode::Mul, b.color(), {b.attribute(AttributeKind::TexCoord), b.constant(1.2f)});
     const ir::Program program = b.take();
     Scene scene(GetParam());
-    abi::FragmentData &data = scene.data;
-    data.fogDensity = 1.3f;
-    data.fogStart = 0.1f;
-    data.fogEnd = 0.8f;
-    data.fogScale = 1 / 0.7f;
-    const float color[4] = {0.3f, 0.5f, 0.9f, 1};
-    std::copy_n(color, 4, data.fogColor);
+    scene.state = [](const ir::StateRef &row) {
+      const ir::Vec4 params = {1.3f, 0.1f, 0.8f, 1 / 0.7f};
+      return row.item == ir::StateItem::FogColor     ? ir::Vec4{0.3f, 0.5f, 0.9f, 1}
+             : row.item == ir::StateItem::FogFactors ? ir::fogFactors(params)
+                                                     : params;
+    };
     scene.draw(program, {{}}, wholeRows());
     const std::vector<jit::FragmentInput> &wanted = scene.prepared->shape().inputs;
     const auto inputOf = [&](AttributeKind kind) {
@@ -71,12 +71,7 @@ TEST_P(FragmentTest, AppliesFogAndColourSum) {
         inputs.attributes = attributes;
         inputs.fogCoordinate = value(AttributeKind::FogCoord)[0];
         inputs.secondary = value(AttributeKind::ColorSecondary);
-        inputs.parameter = [&](const ir::Parameter &parameter) {
-          if (parameter.kind == ir::ParameterKind::State &&
-              parameter.state.item == ir::StateItem::FogColor)
-            return ir::Vec4{color[0], color[1], color[2], color[3]};
-          return ir::Vec4{data.fogDensity, data.fogStart, data.fogEnd, data.fogScale};
-        };
+        inputs.parameter = [&](const ir::Parameter &row) { return scene.state(row.state); };
         const ir::Evaluation want = ir::evaluate(program, inputs);
         for (std::size_t c = 0; c < 4; ++c)
           ASSERT_NEAR(scene.target.pixel(x, y)[c],

@@ -9,20 +9,9 @@ namespace arbiter::fp::llvm_back {
 
 namespace {
 ir::Program optimised(ir::Program program, Numerics numerics) {
+  opt::lowerOptions(program);
   opt::run(program, numerics);
   return program;
-}
-
-void addInput(std::vector<jit::FragmentInput> &inputs, ir::AttributeKind kind,
-              std::uint8_t components) {
-  const ir::Attribute attribute = {kind, 0};
-  const auto found =
-      std::find_if(inputs.begin(), inputs.end(),
-                   [&](const jit::FragmentInput &input) { return input.attribute == attribute; });
-  if (found != inputs.end())
-    found->components |= components;
-  else
-    inputs.push_back({attribute, components});
 }
 
 bool isInterpolated(const ir::Attribute &attribute) {
@@ -36,11 +25,6 @@ std::vector<jit::FragmentInput> inputsOf(const ir::Program &program,
   for (std::size_t i = 0; i < program.attributes.size(); ++i)
     if (live.attributes[i] != 0 && isInterpolated(program.attributes[i]))
       inputs.push_back({program.attributes[i], live.attributes[i]});
-  constexpr std::uint8_t kX = 1, kRgb = 7;
-  if (program.options.fog != ir::FogMode::None)
-    addInput(inputs, ir::AttributeKind::FogCoord, kX);
-  if (program.options.colorSum)
-    addInput(inputs, ir::AttributeKind::ColorSecondary, kRgb);
   return inputs;
 }
 

@@ -46,8 +46,7 @@ struct ProgramResults {
   std::vector<Vec> outputs;
 };
 
-/// Writes the code of the program, as far as it reaches an output or a KIL. Fog and colour sum are
-/// left to the caller.
+/// Writes the code of the program, as far as it reaches an output or a KIL.
 [[nodiscard]] ProgramResults writeProgram(Code &code, const ir::Program &program, Numerics numerics,
                                           ProgramHooks &hooks);
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 #include <cstring>
+#include <functional>
 
 #include <gtest/gtest.h>
 
@@ -87,6 +88,10 @@ struct Scene {
                    kHeight);
     }
     rows = parameterRows(prepared->program(), locals);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (const ir::Parameter &row = prepared->program().parameters[i];
+          row.kind == ir::ParameterKind::State && state)
+        rows[i] = state(row.state);
     data.parameters = reinterpret_cast<const float(*)[4]>(rows.data());
     target = makeTarget(key.targets[0].format, kWidth, kHeight, 1);
     data.targets[0] = {target.pixel(0, 0), target.rowStride};
@@ -103,6 +108,7 @@ struct Scene {
 
   std::unique_ptr<jit::Engine> engine;
   std::unique_ptr<jit::FragmentProgram> prepared;
+  std::function<ir::Vec4(const ir::StateRef &)> state; ///< values of state rows
   abi::FragmentKey key{};
   abi::Interpolation interpolation = abi::Interpolation::Linear; ///< of all inputs
   abi::FragmentData data{};

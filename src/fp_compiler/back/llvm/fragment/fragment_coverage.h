@@ -3,11 +3,6 @@
 
 namespace arbiter::fp::llvm_back {
 
-/// Applies the program's options to its colours: the colour sum, then fog (ir/semantics.h,
-/// Options).
-void applyOptions(Code &code, const Places &places, Value *data, const ir::Options &options,
-                  Numerics numerics, FragmentHooks &hooks, FragmentColors &fragment);
-
 /// Applies coverage other than Whole to the colours' alpha and to the live fragments.
 /// \param input the coverage input
 void applyCoverage(Code &code, abi::Coverage coverage, const Vec &input, FragmentColors &fragment);
