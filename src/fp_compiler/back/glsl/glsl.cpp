@@ -1,6 +1,7 @@
 #include "fp_compiler/back/glsl/glsl.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "fp_compiler/analysis/range_analysis.h"
 #include "fp_compiler/back/glsl/arrays.h"
@@ -68,100 +69,6 @@ std::string preamble(const ir::Program &program, const Registers &registers, con
   if (options.pixelCenterInteger)
     text += "pixel_center_integer";
   return text + ") varying vec4 gl_FragCoord;\n";
-}
-
-/// Returns the fog distance. It is the absolute value if the host's fixed function passes negative
-/// distances.
-std::string fogDistance(const GlslHost &host) {
-  return host.negativeFogDistances ? "abs(gl_FogFragCoord)" : "gl_FogFragCoord";
-}
-
-/// Returns the fog factor of the fog options (3.11.4.5.1), which blend as in section 3.10 with the
-/// clamped colour. FOG's enable and mode do not matter.
-std::string fogFactor(ir::FogMode mode, Numerics numerics, const std::string &distance) {
-  const bool host = numerics == Numerics::Host;
-  switch (mode) {
-  case ir::FogMode::None:
-    return "";
-  case ir::FogMode::Exp: // e^-dc = 2^(-dc / ln 2)
-    return host ? "exp2(gl_Fog.density * " + distance + " * -1.442695041)"
-                : "exp2(arb_mul(gl_Fog.density * -1.442695041, " + distance + "))";
-  case ir::FogMode::Exp2: {
-    const std::string product = "arb_mul(gl_Fog.density, " + distance + ")";
-    return host ? "exp2(gl_Fog.density * " + distance + " * gl_Fog.density * " + distance +
-                      " * -1.442695041)"
-                : "exp2(" + product + " * " + product + " * -1.442695041)";
-  }
-  case ir::FogMode::Linear:
-    // This is (e - c) / (e - s) as one multiplication and one addition, without a division in each
-    // fragment. Hosts compute their own fog this way, and another form would differ in the last
-    // bit.
-    return "gl_Fog.end * gl_Fog.scale - " + distance + " * gl_Fog.scale";
-  }
-  return "";
-}
-
-/// Returns the fog factor in the R300's steps (ir/semantics.h). It reads the locals of
-/// fogLocals24().
-std::string fogFactor24(ir::FogMode mode) {
-  const char *const factor =
-      mode == ir::FogMode::Linear
-          ? "arb_round(arb_fogscaled + arb_truncate(gl_Fog.end * gl_Fog.scale))"
-      : mode == ir::FogMode::Exp ? "arb_round(exp2(-arb_fogscaled))"
-                                 : "arb_round(exp2(-arb_round(arb_fogscaled * arb_fogscaled)))";
-  return factor;
-}
-
-std::string fogLocals24(ir::FogMode mode, const std::string &distance) {
-  const char *const row = mode == ir::FogMode::Linear ? "-gl_Fog.scale"
-                          : mode == ir::FogMode::Exp  ? "gl_Fog.density * 1.442695041"
-                                                      : "gl_Fog.density * 1.201122409";
-  return "  float arb_fogscaled = arb_round(arb_mul(arb_round(" + distance + "), arb_truncate(" +
-         row + ")));\n  vec3 arb_fogcolor = arb_truncate(gl_Fog.color.rgb);\n";
-}
-
-/// Concatenates the results of \p stage for each colour that the program writes.
-template <typename Stage>
-std::string forEachColor(const ir::Program &program, const Registers &registers, Stage stage) {
-  std::string text;
-  for (std::size_t i = 0; i < program.outputs.size(); ++i)
-    if (program.outputs[i].kind == ir::OutputKind::Color)
-      text += stage(registers.output(std::uint16_t(i)).name);
-  return text;
-}
-
-/// Returns the colour sum (section 3.9), for languages that leave it to fixed function.
-std::string colorSum(const ir::Program &program, const Registers &registers, Numerics numerics) {
-  if (!program.options.colorSum)
-    return "";
-  const bool rounds = numerics == Numerics::Fp24;
-  return forEachColor(program, registers, [rounds](const std::string &color) {
-    const std::string clamped = "clamp(" + color + ".rgb, 0.0, 1.0)";
-    return "  " + color + ".rgb = " +
-           (rounds ? "arb_round(" + clamped + " + arb_colour(gl_SecondaryColor.rgb))"
-                   : clamped + " + gl_SecondaryColor.rgb") +
-           ";\n";
-  });
-}
-
-std::string fog(const ir::Program &program, const Registers &registers, const GlslHost &host,
-                Numerics numerics) {
-  const ir::FogMode mode = program.options.fog;
-  if (mode == ir::FogMode::None)
-    return "";
-  const bool rounds = numerics == Numerics::Fp24;
-  const std::string distance = fogDistance(host);
-  std::string text = rounds ? fogLocals24(mode, distance) : "";
-  text += "  float arb_fog = clamp(" +
-          (rounds ? fogFactor24(mode) : fogFactor(mode, numerics, distance)) + ", 0.0, 1.0);\n";
-  return text + forEachColor(program, registers, [rounds](const std::string &color) {
-           const std::string blend =
-               rounds ? "arb_round(arb_round(arb_fog * " + color + ".rgb) + " +
-                            "arb_round(arb_mulz(vec3(arb_round(1.0 - arb_fog)), arb_fogcolor)))"
-                      : "mix(gl_Fog.color.rgb, " + color + ".rgb, arb_fog)";
-           return "  " + color + " = clamp(" + color + ", 0.0, 1.0);\n  " + color +
-                  ".rgb = " + blend + ";\n";
-         });
 }
 
 /// Returns the position of ARB_position_invariant, computed exactly as by fixed function.
@@ -268,14 +175,13 @@ private:
 } // namespace
 
 GlslShader emit(const ir::Program &given, const GlslHost &host, Numerics numerics) {
+  assert(given.options.fog == ir::FogMode::None && !given.options.colorSum);
   ir::Program program = given;
   hoistRelative(program);
   const Registers registers(program, numerics, host);
   GlslShader shader;
   const std::string code = registers.locals() + invariantPosition(program) +
-                           Body(program, registers, numerics).text() +
-                           colorSum(program, registers, numerics) +
-                           fog(program, registers, host, numerics) + clipVertex(program, host);
+                           Body(program, registers, numerics).text() + clipVertex(program, host);
   shader.text = preamble(program, registers, host, numerics) + registers.declarations() +
                 helpers(program, numerics, code) + "void main() {\n" + code + "}\n";
   shader.uniforms = registers.uniforms();

@@ -39,10 +39,16 @@ vec4 arb_mulz(vec4 a, vec4 b) { return vec4(arb_mulz(a.x, b.x), arb_mulz(a.y, b.
 void main() {
   vec4 i0 = arb_colour(gl_Color);
   vec4 s0 = arb_truncate(gl_FrontMaterial.diffuse);
-  gl_FragColor = arb_round(arb_mulz(i0, s0));
-  float arb_fogscaled = arb_round(arb_mul(arb_round(gl_FogFragCoord), arb_truncate(gl_Fog.density * 1.201122409)));
-  vec3 arb_fogcolor = arb_truncate(gl_Fog.color.rgb);
-  float arb_fog = clamp(arb_round(exp2(-arb_round(arb_fogscaled * arb_fogscaled))), 0.0, 1.0);
-  gl_FragColor = clamp(gl_FragColor, 0.0, 1.0);
-  gl_FragColor.rgb = arb_round(arb_round(arb_fog * gl_FragColor.rgb) + arb_round(arb_mulz(vec3(arb_round(1.0 - arb_fog)), arb_fogcolor)));
+  vec4 i1 = arb_round(vec4(gl_FogFragCoord, 0.0, 0.0, 1.0));
+  vec4 s1 = arb_truncate(vec4(-gl_Fog.scale, gl_Fog.end * gl_Fog.scale, gl_Fog.density * -1.442695041, gl_Fog.density * 1.201122409));
+  vec4 s2 = arb_truncate(gl_Fog.color);
+  vec4 t0;
+  vec4 t1;
+  t0 = arb_round(arb_mulz(i0, s0));
+  t1.x = arb_round(arb_mul(i1.x, s1.w));
+  t1.x = arb_round(arb_mul(t1.x, t1.x));
+  t1.x = clamp(arb_round(exp2(-t1.x)), 0.0, 1.0);
+  t0 = clamp(t0, 0.0, 1.0);
+  t0.xyz = arb_round(arb_round(t1.xxx * t0.xyz) + arb_round(arb_mulz(arb_round(1.0 - t1.xxx), s2.xyz)));
+  gl_FragColor = t0;
 }

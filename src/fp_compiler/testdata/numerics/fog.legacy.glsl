@@ -8,8 +8,14 @@ vec2 arb_mulz(vec2 a, vec2 b) { return vec2(arb_mulz(a.x, b.x), arb_mulz(a.y, b.
 vec3 arb_mulz(vec3 a, vec3 b) { return vec3(arb_mulz(a.x, b.x), arb_mulz(a.y, b.y), arb_mulz(a.z, b.z)); }
 vec4 arb_mulz(vec4 a, vec4 b) { return vec4(arb_mulz(a.x, b.x), arb_mulz(a.y, b.y), arb_mulz(a.z, b.z), arb_mulz(a.w, b.w)); }
 void main() {
-  gl_FragColor = arb_mulz(gl_Color, gl_FrontMaterial.diffuse);
-  float arb_fog = clamp(exp2(arb_mul(gl_Fog.density, gl_FogFragCoord) * arb_mul(gl_Fog.density, gl_FogFragCoord) * -1.442695041), 0.0, 1.0);
-  gl_FragColor = clamp(gl_FragColor, 0.0, 1.0);
-  gl_FragColor.rgb = mix(gl_Fog.color.rgb, gl_FragColor.rgb, arb_fog);
+  vec4 s1 = vec4(-gl_Fog.scale, gl_Fog.end * gl_Fog.scale, gl_Fog.density * -1.442695041, gl_Fog.density * 1.201122409);
+  vec4 t0;
+  vec4 t1;
+  t0 = arb_mulz(gl_Color, gl_FrontMaterial.diffuse);
+  t1.x = arb_mul(gl_FogFragCoord, s1.w);
+  t1.x = arb_mul(t1.x, t1.x);
+  t1.x = clamp(exp2(-t1.x), 0.0, 1.0);
+  t0 = clamp(t0, 0.0, 1.0);
+  t0.xyz = t1.xxx * t0.xyz + arb_mulz((1.0 - t1.xxx), gl_Fog.color.xyz);
+  gl_FragColor = t0;
 }

@@ -9,6 +9,7 @@ uniform sampler2DShadow arb_tex5;
 uniform sampler1DShadow arb_tex6;
 uniform sampler2DRectShadow arb_tex7;
 void main() {
+  vec4 s1 = vec4(-gl_Fog.scale, gl_Fog.end * gl_Fog.scale, gl_Fog.density * -1.442695041, gl_Fog.density * 1.201122409);
   vec4 t0;
   vec4 t1;
   vec4 t2;
@@ -25,6 +26,8 @@ void main() {
   vec4 t13;
   vec4 t14;
   vec4 t15;
+  vec4 t16;
+  vec4 t17;
   t0 = texture1D(arb_tex0, gl_TexCoord[0].x);
   t1 = texture1DProj(arb_tex0, gl_TexCoord[0].xw);
   t2 = texture1D(arb_tex0, gl_TexCoord[0].x, gl_TexCoord[0].w);
@@ -56,9 +59,12 @@ void main() {
   t0 = t0 + t13;
   t0 = t0 + t14;
   t0 = t0 + t15;
-  gl_FragColor = t0 * vec4(0.0625);
+  t16 = t0 * vec4(0.0625);
   gl_FragDepth = t12.x;
-  float arb_fog = clamp(exp2(gl_Fog.density * gl_FogFragCoord * gl_Fog.density * gl_FogFragCoord * -1.442695041), 0.0, 1.0);
-  gl_FragColor = clamp(gl_FragColor, 0.0, 1.0);
-  gl_FragColor.rgb = mix(gl_Fog.color.rgb, gl_FragColor.rgb, arb_fog);
+  t17.x = gl_FogFragCoord * s1.w;
+  t17.x = t17.x * t17.x;
+  t17.x = clamp(exp2(-t17.x), 0.0, 1.0);
+  t16 = clamp(t16, 0.0, 1.0);
+  t16.xyz = mix(gl_Fog.color.xyz, t16.xyz, t17.xxx);
+  gl_FragColor = t16;
 }
