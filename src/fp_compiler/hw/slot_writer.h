@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fp_compiler/hw/slots.h"
+#include "fp_compiler/ir/fog.h"
 #include "fp_compiler/ir/reads.h"
 
 namespace arbiter::fp::hw {
@@ -88,6 +89,24 @@ protected:
       m_code.parameters += used ? 1 : 0;
   }
 
+  /// Adds the colour sum's slot and the fog factor's, with the two rows of state that fog reads.
+  /// Returns true if fog is to be blended in.
+  bool addOptions() {
+    if (!writesColor())
+      return false;
+    if (m_program.options.colorSum) {
+      alu(kWholeProgram, SlotCause::ColorSum);
+      useAttribute(ir::AttributeKind::ColorSecondary);
+    }
+    if (m_program.options.fog == ir::FogMode::None)
+      return false;
+    alu(kWholeProgram, SlotCause::Fog, ir::rowOf(m_program.options.fog).instructions);
+    useAttribute(ir::AttributeKind::FogCoord);
+    m_code.ownConstants += 2;
+    return true;
+  }
+
+private:
   /// True if the program writes result.color, which fog is blended into.
   [[nodiscard]] bool writesColor() const {
     for (const ir::Output &output : m_program.outputs)
@@ -96,6 +115,7 @@ protected:
     return false;
   }
 
+protected:
   const ir::Program &m_program;
   SlotProgram m_code;
   std::uint32_t m_phase = 0;

@@ -176,19 +176,8 @@ private:
 
   /// Adds fog and the colour sum as instructions (LRP is two slots), and the move of the depth.
   void options() {
-    if (m_program.options.colorSum && writesColor()) {
-      alu(kWholeProgram, SlotCause::ColorSum);
-      useAttribute(ir::AttributeKind::ColorSecondary);
-    }
-    const ir::FogMode mode = m_program.options.fog;
-    if (mode != ir::FogMode::None && writesColor()) {
-      const std::uint32_t factor = mode == ir::FogMode::Linear ? 1
-                                   : mode == ir::FogMode::Exp  ? 2
-                                                               : 3;
-      alu(kWholeProgram, SlotCause::Fog, factor + 3);
-      useAttribute(ir::AttributeKind::FogCoord);
-      m_code.ownConstants += 2;
-    }
+    if (addOptions())
+      alu(kWholeProgram, SlotCause::Fog, 3);
     for (const ir::Output &output : m_program.outputs)
       if (output.kind == ir::OutputKind::Depth)
         alu(kWholeProgram, SlotCause::Depth);

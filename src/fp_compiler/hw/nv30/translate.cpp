@@ -50,8 +50,7 @@ public:
       if (m_flow.live[i])
         translate(std::uint16_t(i));
     }
-    colorSum();
-    fog();
+    options();
     m_code.ownConstants += m_zeroAndOne ? 1 : 0;
     countRows();
     const std::uint32_t registers = registersAtOnce(m_program, m_flow);
@@ -113,26 +112,13 @@ private:
     alu(at, SlotCause::Constant, beyondFirst(File::Parameter));
   }
 
-  void colorSum() {
-    if (!m_program.options.colorSum || !writesColor())
+  /// Adds the slots of the options. The chip's own fog stage is off while a program runs
+  /// (NV_fragment_program 3.11), so slots compute fog's factor, blend, and keep alpha.
+  void options() {
+    if (!addOptions())
       return;
-    alu(kWholeProgram, SlotCause::ColorSum);
-    useAttribute(ir::AttributeKind::ColorSecondary);
-  }
-
-  /// Adds the slots of fog, because the chip's own fog stage is off while a program runs
-  /// (NV_fragment_program 3.11). They compute the factor, blend, and keep alpha. Fog also uses two
-  /// rows of state.
-  void fog() {
-    const ir::FogMode mode = m_program.options.fog;
-    if (mode == ir::FogMode::None || !writesColor())
-      return;
-    const std::uint32_t factor = mode == ir::FogMode::Linear ? 1 : mode == ir::FogMode::Exp ? 2 : 3;
-    alu(kWholeProgram, SlotCause::Fog, factor);
     put({.cause = SlotCause::Fog, .passes = passesOf(Opcode::Lrp)});
     alu(kWholeProgram, SlotCause::Fog);
-    useAttribute(ir::AttributeKind::FogCoord);
-    m_code.ownConstants += 2;
   }
 
   Dataflow m_flow;
