@@ -106,7 +106,7 @@ TEST(ProgramValues, AskForStateOnlyWhereItIsStale) {
 TEST(ProgramValues, HaveFogsFactorsForTheOptions) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
-  Context &context = host.context();
+  RasterContext &context = host.context();
   Builder b(fp::ir::Language::ArbFragment);
   const auto row = b.state(ref(StateItem::FogFactors));
   ProgramValues values(b.program());
