@@ -24,6 +24,21 @@ struct Value {
 /// Returns component \p component in all four components.
 [[nodiscard]] Value broadcast(const Value &value, std::size_t component);
 
+/// Makes a value of its RGB part and its alpha part. `part` computes the components of a mask.
+template <typename Part> [[nodiscard]] Value byHalves(std::uint8_t mask, const Part &part) {
+  Value result;
+  for (const std::uint8_t half : {std::uint8_t(mask & 7), std::uint8_t(mask & 8)}) {
+    if (half == 0)
+      continue;
+    const Value value = part(half);
+    for (std::size_t i = 0; i < 4; ++i)
+      if (half >> i & 1)
+        result.direct[i] = value.direct[i];
+  }
+  result.through = result.direct;
+  return result;
+}
+
 /// Options of a result: its destination and modifiers.
 struct EmitOptions {
   bool toDestination = false; ///< write the instruction's destination; otherwise a fresh variable

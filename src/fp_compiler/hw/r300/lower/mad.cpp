@@ -32,10 +32,7 @@ bool scaleOf(const Value &value, std::uint8_t mask, float &factor) {
 
 Value Emitter::mad(std::uint8_t mask, const Value &a, const Value &b, const Value &c,
                    const EmitOptions &options) {
-  Value result;
-  for (const std::uint8_t half : {std::uint8_t(mask & 7), std::uint8_t(mask & 8)}) {
-    if (half == 0)
-      continue;
+  return byHalves(mask, [&](std::uint8_t half) {
     std::array<Value, 3> operands = {a, b, c};
     EmitOptions mine = options;
     float factor = 1.0f;
@@ -45,13 +42,8 @@ Value Emitter::mad(std::uint8_t mask, const Value &a, const Value &b, const Valu
           (void)modifierOf(factor, mine.modifier);
           operands[i] = literals(std::copysign(1.0f, factor));
         }
-    const Value part = componentwise(RgbOp::Mad, AlphaOp::Mad, half, operands, mine);
-    for (std::size_t i = 0; i < 4; ++i)
-      if (half >> i & 1)
-        result.direct[i] = part.direct[i];
-  }
-  result.through = result.direct;
-  return result;
+    return componentwise(RgbOp::Mad, AlphaOp::Mad, half, operands, mine);
+  });
 }
 
 Value Emitter::copy(std::uint8_t mask, const Value &value, const EmitOptions &options) {

@@ -179,17 +179,7 @@ Value Emitter::lerpHalf(std::uint8_t mask, const Value &a, const Value &b, const
 
 Value Emitter::lerp(std::uint8_t mask, const Value &a, const Value &b, const Value &c,
                     const EmitOptions &options) {
-  Value result;
-  for (const std::uint8_t half : {std::uint8_t(mask & 7), std::uint8_t(mask & 8)}) {
-    if (half == 0)
-      continue;
-    const Value part = lerpHalf(half, a, b, c, options);
-    for (std::size_t i = 0; i < 4; ++i)
-      if (half >> i & 1)
-        result.direct[i] = part.direct[i];
-  }
-  result.through = result.direct;
-  return result;
+  return byHalves(mask, [&](std::uint8_t half) { return lerpHalf(half, a, b, c, options); });
 }
 
 Value Emitter::arch(std::uint8_t mask, const Value &f, const EmitOptions &options) {
