@@ -82,4 +82,23 @@ std::string dependencyText(const ir::Program &program, std::uint32_t sample, std
          std::to_string(number);
 }
 
+const char *commonExpansionOf(ir::Opcode op) {
+  switch (op) {
+  case ir::Opcode::Sin:
+    return "SIN is a polynomial";
+  case ir::Opcode::Cos:
+    return "COS is a polynomial";
+  case ir::Opcode::Scs:
+    return "SCS is two polynomials";
+  case ir::Opcode::Pow:
+    return "POW is LG2, MUL and EX2";
+  case ir::Opcode::Xpd:
+    return "XPD is a MUL and a MAD";
+  case ir::Opcode::Lrp:
+    return "LRP is two MAD";
+  default:
+    return nullptr;
+  }
+}
+
 } // namespace arbiter::fp::hw

@@ -36,4 +36,8 @@ private:
                                          std::uint32_t writer, const char *where,
                                          std::uint32_t number);
 
+/// Returns why an opcode takes more than one slot on chips that multiply, add, and have the
+/// functions of one component: "SIN is a polynomial". Returns nullptr for other opcodes.
+[[nodiscard]] const char *commonExpansionOf(ir::Opcode op);
+
 } // namespace arbiter::fp::hw

@@ -2,6 +2,7 @@
 
 #include "fp_compiler/hw/dataflow.h"
 #include "fp_compiler/hw/i915/i915.h"
+#include "fp_compiler/hw/reasons.h"
 #include "fp_compiler/hw/slot_writer.h"
 
 namespace arbiter::fp::hw::i915 {
@@ -200,24 +201,7 @@ private:
 SlotProgram translate(const ir::Program &program) { return Translator(program).run(); }
 
 const char *expansionOf(ir::Opcode op) {
-  switch (op) {
-  case Opcode::Sin:
-    return "SIN is a polynomial";
-  case Opcode::Cos:
-    return "COS is a polynomial";
-  case Opcode::Scs:
-    return "SCS is two polynomials";
-  case Opcode::Lit:
-    return "LIT is MAX, LG2, MUL, EX2 and CMP";
-  case Opcode::Lrp:
-    return "LRP is two MAD";
-  case Opcode::Pow:
-    return "POW is LG2, MUL and EX2";
-  case Opcode::Xpd:
-    return "XPD is a MUL and a MAD";
-  default:
-    return nullptr;
-  }
+  return op == Opcode::Lit ? "LIT is MAX, LG2, MUL, EX2 and CMP" : commonExpansionOf(op);
 }
 
 } // namespace arbiter::fp::hw::i915

@@ -13,22 +13,10 @@ using ir::Opcode;
 /// Returns why an opcode takes more than one slot; nullptr if it should not.
 const char *expansionOf(Opcode op) {
   switch (op) {
-  case Opcode::Sin:
-    return "SIN is a polynomial";
-  case Opcode::Cos:
-    return "COS is a polynomial";
-  case Opcode::Scs:
-    return "SCS is two polynomials";
   case Opcode::Lit:
     return "LIT is LG2, MUL, EX2 and comparisons";
-  case Opcode::Pow:
-    return "POW is LG2, MUL and EX2";
   case Opcode::Flr:
     return "FLR is FRC and a subtraction";
-  case Opcode::Xpd:
-    return "XPD is a MUL and a MAD";
-  case Opcode::Lrp:
-    return "LRP is two MAD";
   case Opcode::Dst:
     return "DST writes its components by different operations";
   case Opcode::Sge:
@@ -36,7 +24,7 @@ const char *expansionOf(Opcode op) {
   case Opcode::Slt:
     return "SLT is a subtraction and a comparison";
   default:
-    return nullptr;
+    return commonExpansionOf(op);
   }
 }
 
