@@ -77,27 +77,26 @@ DrawStatistics drawTriangles(const Draw &draw) {
 
 } // namespace
 
-static DrawStatistics drawChecked(const RasterState &state, const Shading &shading,
-                                  Topology topology, const Vertices &vertices,
-                                  const std::uint32_t *indices, std::uint32_t first,
-                                  std::uint32_t count, std::uint32_t provokingAt) {
-  count = drawnCount(state, shading, vertices, indices, first, count);
-  if (count == 0)
+static DrawStatistics drawChecked(DrawArguments draw, std::uint32_t provokingAt) {
+  draw.count = drawnCount(draw);
+  if (draw.count == 0)
     return {};
   Rectangle rectangle;
-  if (provokingAt == 0 && isPolygonal(topology) &&
-      findRectangle(state, topology, vertices, indices, first, count, rectangle)) {
+  if (provokingAt == 0 && isPolygonal(draw.topology) &&
+      findRectangle(draw.state, draw.topology, draw.vertices, draw.indices, draw.first, draw.count,
+                    rectangle)) {
     if (rectangle.pixels.empty())
       return {};
   }
-  Draw all = drawOf(state, shading, topology, vertices, indices, first, count);
+  Draw all = drawOf(draw);
   Shape shapes[2];
   const int parts = rectangle.pixels.empty() ? 0 : shapesOfRectangle(all, rectangle, shapes);
   if (parts != 0)
-    return {std::uint64_t(parts), shadeInBands(state, shading, shapes, std::size_t(parts))};
+    return {std::uint64_t(parts),
+            shadeInBands(draw.state, draw.shading, shapes, std::size_t(parts))};
   all.provokingAt = provokingAt;
   placeVertices(all, scratch().window, scratch().bounds);
-  if (isPolygonal(topology) && all.isFilled())
+  if (isPolygonal(draw.topology) && all.isFilled())
     return drawTriangles(all);
   DrawStatistics statistics;
   scratch().strokes.rasterize(all, statistics);
@@ -111,7 +110,7 @@ DrawStatistics rasterize(const RasterState &state, const Shading &shading, Topol
   DrawStatistics statistics;
   try {
     statistics =
-        drawChecked(state, shading, topology, vertices, indices, first, count, provokingAt);
+        drawChecked({state, shading, topology, vertices, indices, first, count}, provokingAt);
   } catch (const std::bad_alloc &) {
     statistics = {.incomplete = true};
   }

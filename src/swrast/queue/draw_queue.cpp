@@ -72,7 +72,7 @@ bool DrawQueue::add(const RasterState &state, const Shading &shading, Topology t
   bool isAdded = false;
   alone([&] {
     try {
-      isAdded = addChecked({state, shading, topology, vertices, indices, first, count, use});
+      isAdded = addChecked({{state, shading, topology, vertices, indices, first, count}, use});
     } catch (const std::bad_alloc &) {
       // the draw was not added
     }
@@ -103,8 +103,7 @@ std::optional<bool> DrawQueue::addRectangle(const GivenDraw &given) {
   if (fillsPicture(given, areaOf(pixels)))
     return false;
   Shape shapes[2];
-  const Draw draw = drawOf(given.state, given.shading, given.topology, given.vertices,
-                           given.indices, given.first, given.count);
+  const Draw draw = drawOf(given);
   const int parts = shapesOfRectangle(draw, rectangle, shapes);
   if (parts == 0)
     return std::nullopt;
@@ -119,8 +118,7 @@ std::optional<bool> DrawQueue::addRectangle(const GivenDraw &given) {
 }
 
 bool DrawQueue::addChecked(GivenDraw given) {
-  given.count = drawnCount(given.state, given.shading, given.vertices, given.indices, given.first,
-                           given.count);
+  given.count = drawnCount(given);
   const Sight sight = given.count != 0 ? sightOf(given) : Sight::None;
   if (sight == Sight::None)
     return true;
@@ -138,8 +136,7 @@ bool DrawQueue::addChecked(GivenDraw given) {
   closeJoined();
   Batch &batch = filling();
   QueuedDraw &queued = batch.next();
-  Draw draw = drawOf(given.state, given.shading, given.topology, given.vertices, given.indices,
-                     given.first, given.count);
+  Draw draw = drawOf(given);
   placeVertices(draw, queued.window(), m_bounds);
   Chunk &chunk = queued.begin();
   if (isPolygonal(given.topology) && draw.isFilled()) {
@@ -188,8 +185,8 @@ void DrawQueue::addJoined() {
   Batch &batch = filling();
   QueuedDraw &queued = batch.next();
   const QueuedState &state = batch.lastState();
-  Draw draw = drawOf(state.raster(), state.shading(), Topology::Triangles, m_joined.vertices(),
-                     m_joined.indices(), 0, m_joined.count());
+  Draw draw = drawOf({state.raster(), state.shading(), Topology::Triangles, m_joined.vertices(),
+                      m_joined.indices(), 0, m_joined.count()});
   draw.provokingAt = JoinedDraws::kProvokingAt;
   placeVertices(draw, queued.window(), m_bounds);
   if (draw.visible.empty())

@@ -85,13 +85,8 @@ void QueuedDraw::free() {
 void QueuedDraw::setUp(std::uint32_t chunk) {
   Vertices vertices; // setup without clipping reads no vertex array
   vertices.count = m_allVertices;
-  Draw draw = {m_state->raster(),
-               m_state->shading(),
-               m_topology,
-               vertices,
-               m_isIndexed ? m_indices.data() : nullptr,
-               m_first,
-               m_vertexCount,
+  Draw draw = {{m_state->raster(), m_state->shading(), m_topology, vertices,
+                m_isIndexed ? m_indices.data() : nullptr, m_first, m_vertexCount},
                m_viewport,
                {},
                m_window.data(),

@@ -4,13 +4,17 @@
 /// The data that all stages of one draw share.
 namespace arbiter::swrast {
 
-struct Draw {
+/// The arguments of rasterize(), and what they refer to.
+struct DrawArguments {
   const RasterState &state;
   const Shading &shading;
   Topology topology;
   const Vertices &vertices;
   const std::uint32_t *indices;
   std::uint32_t first, count;
+};
+
+struct Draw : DrawArguments {
   Viewport viewport;
   PlanePlan plan;
   const WindowVertex *window = nullptr; ///< window positions of all vertices that the draw uses

@@ -31,27 +31,18 @@ void usedVertices(const Draw &draw, std::uint32_t &begin, std::uint32_t &end) {
 
 } // namespace
 
-std::uint32_t drawnCount(const RasterState &state, const Shading &shading, const Vertices &vertices,
-                         const std::uint32_t *indices, std::uint32_t first, std::uint32_t count) {
-  if (state.clip.empty() || (!shading.row && !shading.quad))
+std::uint32_t drawnCount(const DrawArguments &draw) {
+  if (draw.state.clip.empty() || (!draw.shading.row && !draw.shading.quad))
     return 0;
-  if (indices)
-    return count;
-  return first < vertices.count ? std::min(count, vertices.count - first) : 0;
+  if (draw.indices)
+    return draw.count;
+  return draw.first < draw.vertices.count ? std::min(draw.count, draw.vertices.count - draw.first)
+                                          : 0;
 }
 
-Draw drawOf(const RasterState &state, const Shading &shading, Topology topology,
-            const Vertices &vertices, const std::uint32_t *indices, std::uint32_t first,
-            std::uint32_t count) {
-  return {state,
-          shading,
-          topology,
-          vertices,
-          indices,
-          first,
-          count,
-          makeViewport(state, vertices),
-          PlanePlan(shading, vertices)};
+Draw drawOf(const DrawArguments &arguments) {
+  return {arguments, makeViewport(arguments.state, arguments.vertices),
+          PlanePlan(arguments.shading, arguments.vertices)};
 }
 
 void placeVertices(Draw &draw, std::vector<WindowVertex> &window,

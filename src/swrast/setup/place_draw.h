@@ -9,13 +9,9 @@ namespace arbiter::swrast {
 
 /// Returns how many of the `count` vertices to draw, or 0 if nothing can be drawn. They are those
 /// that `indices` names, or, if it is null, those from `first` on.
-[[nodiscard]] std::uint32_t drawnCount(const RasterState &state, const Shading &shading,
-                                       const Vertices &vertices, const std::uint32_t *indices,
-                                       std::uint32_t first, std::uint32_t count);
+[[nodiscard]] std::uint32_t drawnCount(const DrawArguments &draw);
 /// Makes a Draw without vertex positions. Its arguments must outlive the draw.
-[[nodiscard]] Draw drawOf(const RasterState &state, const Shading &shading, Topology topology,
-                          const Vertices &vertices, const std::uint32_t *indices,
-                          std::uint32_t first, std::uint32_t count);
+[[nodiscard]] Draw drawOf(const DrawArguments &arguments);
 /// Computes the window positions of the used vertices, and the pixels that their primitives may
 /// reach.
 /// \param window, bounds buffers that the caller keeps, so that repeated draws allocate nothing
