@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "host/host_table.h"
+#include "state/client_pixels/client_image.h"
 #include "state/core/control_hooks.h"
 #include "state/core/errors.h"
 #include "state/host_draw/clip_planes.h"
@@ -101,22 +102,16 @@ void followAttribStack(RasterContext &context) {
 
 std::size_t elementSize(GLenum type) {
   switch (type) {
-  case GL_BYTE:
-  case GL_UNSIGNED_BYTE:
-    return 1;
-  case GL_SHORT:
-  case GL_UNSIGNED_SHORT:
   case GL_2_BYTES:
     return 2;
   case GL_3_BYTES:
     return 3;
-  case GL_INT:
-  case GL_UNSIGNED_INT:
-  case GL_FLOAT:
   case GL_4_BYTES:
     return 4;
-  default:
+  case GL_HALF_FLOAT: // no type of CallLists
     return 0;
+  default:
+    return componentBytes(type);
   }
 }
 

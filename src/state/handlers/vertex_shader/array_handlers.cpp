@@ -6,6 +6,7 @@
 
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/client_pixels/client_image.h"
 #include "state/context/context.h"
 #include "state/core/errors.h"
 #include "state/mirror/dirty_bits.h"
@@ -24,20 +25,12 @@ using fp::vertex_shader::From;
 /// Returns the bytes of an array's component; 0 for types that arrays do not have.
 GLuint sizeOf(GLenum type) {
   switch (type) {
-  case GL_BYTE:
-  case GL_UNSIGNED_BYTE:
-    return 1;
-  case GL_SHORT:
-  case GL_UNSIGNED_SHORT:
-    return 2;
-  case GL_INT:
-  case GL_UNSIGNED_INT:
-  case GL_FLOAT:
-    return 4;
   case GL_DOUBLE:
     return 8;
-  default:
+  case GL_HALF_FLOAT:
     return 0;
+  default:
+    return GLuint(componentBytes(type));
   }
 }
 
