@@ -11,6 +11,19 @@
 
 namespace arbiter::state {
 
+using ProgramObjects = std::unordered_map<GLuint, std::shared_ptr<ProgramObject>>;
+
+/// Removes the object of that name and returns it, or null. The object lives on where it is bound.
+inline std::shared_ptr<ProgramObject> takeOut(ProgramObjects &objects, GLuint name) {
+  const auto it = objects.find(name);
+  if (it == objects.end())
+    return nullptr;
+  std::shared_ptr<ProgramObject> object = std::move(it->second);
+  objects.erase(it);
+  object->deleted.store(true, std::memory_order_release);
+  return object;
+}
+
 /// The shader objects of ATI_fragment_shader (3.8.11) or EXT_vertex_shader (2.14) in a share group,
 /// which have a name space of their own. They are program objects of target AtiApi or VertexShader,
 /// so that draws and queries handle one kind of object.
@@ -40,13 +53,7 @@ public:
   std::shared_ptr<ProgramObject> remove(GLuint name) {
     const std::lock_guard lock(m_mutex);
     m_names.release(name);
-    const auto it = m_objects.find(name);
-    if (it == m_objects.end())
-      return nullptr;
-    std::shared_ptr<ProgramObject> object = std::move(it->second);
-    m_objects.erase(it);
-    object->deleted.store(true, std::memory_order_release);
-    return object;
+    return takeOut(m_objects, name);
   }
 
   /// Returns all objects that exist now.
@@ -62,7 +69,7 @@ private:
   const Target m_target;
   std::mutex m_mutex;
   NameRanges m_names;
-  std::unordered_map<GLuint, std::shared_ptr<ProgramObject>> m_objects;
+  ProgramObjects m_objects;
 };
 
 } // namespace arbiter::state

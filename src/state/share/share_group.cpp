@@ -39,13 +39,7 @@ std::shared_ptr<ProgramObject> ShareGroup::findOrCreate(GLuint name, Target targ
 
 std::shared_ptr<ProgramObject> ShareGroup::remove(GLuint name) {
   const std::lock_guard lock(m_mutex);
-  const auto it = m_objects.find(name);
-  if (it == m_objects.end())
-    return nullptr;
-  std::shared_ptr<ProgramObject> object = std::move(it->second);
-  m_objects.erase(it);
-  object->deleted.store(true, std::memory_order_release);
-  return object;
+  return takeOut(m_objects, name);
 }
 
 bool ShareGroup::contains(GLuint name) {

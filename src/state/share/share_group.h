@@ -122,7 +122,7 @@ public:
 
 private:
   std::mutex m_mutex;
-  std::unordered_map<GLuint, std::shared_ptr<ProgramObject>> m_objects;
+  ProgramObjects m_objects;
   std::array<std::shared_ptr<ProgramObject>, kTargetCount> m_defaults;
   GLuint m_lastName = 0;
   std::unordered_set<GLuint> m_hostPrograms;
