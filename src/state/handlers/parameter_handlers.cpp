@@ -111,38 +111,30 @@ namespace handlers {
 
 void ProgramEnvParameter4fARB(Context &context, GLenum target, GLuint index, GLfloat x, GLfloat y,
                               GLfloat z, GLfloat w) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->ProgramEnvParameter4fARB(target, index, x, y, z, w);
-  const Vec4 value = {x, y, z, w};
-  env(context, *row, index, value);
+  if (ProgramTarget *const row = rowOf(context, target))
+    return env(context, *row, index, {x, y, z, w});
+  context.host->ProgramEnvParameter4fARB(target, index, x, y, z, w);
 }
 
 void ProgramEnvParameter4fvARB(Context &context, GLenum target, GLuint index,
                                const GLfloat *params) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->ProgramEnvParameter4fvARB(target, index, params);
-  const Vec4 value = fromFloats(params);
-  env(context, *row, index, value);
+  if (ProgramTarget *const row = rowOf(context, target))
+    return env(context, *row, index, fromFloats(params));
+  context.host->ProgramEnvParameter4fvARB(target, index, params);
 }
 
 void ProgramEnvParameter4dARB(Context &context, GLenum target, GLuint index, GLdouble x, GLdouble y,
                               GLdouble z, GLdouble w) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->ProgramEnvParameter4dARB(target, index, x, y, z, w);
-  const Vec4 value = {GLfloat(x), GLfloat(y), GLfloat(z), GLfloat(w)};
-  env(context, *row, index, value);
+  if (ProgramTarget *const row = rowOf(context, target))
+    return env(context, *row, index, {GLfloat(x), GLfloat(y), GLfloat(z), GLfloat(w)});
+  context.host->ProgramEnvParameter4dARB(target, index, x, y, z, w);
 }
 
 void ProgramEnvParameter4dvARB(Context &context, GLenum target, GLuint index,
                                const GLdouble *params) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->ProgramEnvParameter4dvARB(target, index, params);
-  const Vec4 value = fromDoubles(params);
-  env(context, *row, index, value);
+  if (ProgramTarget *const row = rowOf(context, target))
+    return env(context, *row, index, fromDoubles(params));
+  context.host->ProgramEnvParameter4dvARB(target, index, params);
 }
 
 void ProgramEnvParameters4fvEXT(Context &context, GLenum target, GLuint index, GLsizei count,
@@ -157,38 +149,30 @@ void ProgramEnvParameters4fvEXT(Context &context, GLenum target, GLuint index, G
 
 void ProgramLocalParameter4fARB(Context &context, GLenum target, GLuint index, GLfloat x, GLfloat y,
                                 GLfloat z, GLfloat w) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->ProgramLocalParameter4fARB(target, index, x, y, z, w);
-  const Vec4 value = {x, y, z, w};
-  local(context, *row, index, value);
+  if (ProgramTarget *const row = rowOf(context, target))
+    return local(context, *row, index, {x, y, z, w});
+  context.host->ProgramLocalParameter4fARB(target, index, x, y, z, w);
 }
 
 void ProgramLocalParameter4fvARB(Context &context, GLenum target, GLuint index,
                                  const GLfloat *params) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->ProgramLocalParameter4fvARB(target, index, params);
-  const Vec4 value = fromFloats(params);
-  local(context, *row, index, value);
+  if (ProgramTarget *const row = rowOf(context, target))
+    return local(context, *row, index, fromFloats(params));
+  context.host->ProgramLocalParameter4fvARB(target, index, params);
 }
 
 void ProgramLocalParameter4dARB(Context &context, GLenum target, GLuint index, GLdouble x,
                                 GLdouble y, GLdouble z, GLdouble w) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->ProgramLocalParameter4dARB(target, index, x, y, z, w);
-  const Vec4 value = {GLfloat(x), GLfloat(y), GLfloat(z), GLfloat(w)};
-  local(context, *row, index, value);
+  if (ProgramTarget *const row = rowOf(context, target))
+    return local(context, *row, index, {GLfloat(x), GLfloat(y), GLfloat(z), GLfloat(w)});
+  context.host->ProgramLocalParameter4dARB(target, index, x, y, z, w);
 }
 
 void ProgramLocalParameter4dvARB(Context &context, GLenum target, GLuint index,
                                  const GLdouble *params) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->ProgramLocalParameter4dvARB(target, index, params);
-  const Vec4 value = fromDoubles(params);
-  local(context, *row, index, value);
+  if (ProgramTarget *const row = rowOf(context, target))
+    return local(context, *row, index, fromDoubles(params));
+  context.host->ProgramLocalParameter4dvARB(target, index, params);
 }
 
 void ProgramLocalParameters4fvEXT(Context &context, GLenum target, GLuint index, GLsizei count,
@@ -202,32 +186,28 @@ void ProgramLocalParameters4fvEXT(Context &context, GLenum target, GLuint index,
 }
 
 void GetProgramEnvParameterfvARB(Context &context, GLenum target, GLuint index, GLfloat *params) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->GetProgramEnvParameterfvARB(target, index, params);
-  copyOut(readEnv(context, *row, index), params);
+  if (ProgramTarget *const row = rowOf(context, target))
+    return copyOut(readEnv(context, *row, index), params);
+  context.host->GetProgramEnvParameterfvARB(target, index, params);
 }
 
 void GetProgramEnvParameterdvARB(Context &context, GLenum target, GLuint index, GLdouble *params) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->GetProgramEnvParameterdvARB(target, index, params);
-  copyOut(readEnv(context, *row, index), params);
+  if (ProgramTarget *const row = rowOf(context, target))
+    return copyOut(readEnv(context, *row, index), params);
+  context.host->GetProgramEnvParameterdvARB(target, index, params);
 }
 
 void GetProgramLocalParameterfvARB(Context &context, GLenum target, GLuint index, GLfloat *params) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->GetProgramLocalParameterfvARB(target, index, params);
-  copyOut(readLocal(context, *row, index), params);
+  if (ProgramTarget *const row = rowOf(context, target))
+    return copyOut(readLocal(context, *row, index), params);
+  context.host->GetProgramLocalParameterfvARB(target, index, params);
 }
 
 void GetProgramLocalParameterdvARB(Context &context, GLenum target, GLuint index,
                                    GLdouble *params) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->GetProgramLocalParameterdvARB(target, index, params);
-  copyOut(readLocal(context, *row, index), params);
+  if (ProgramTarget *const row = rowOf(context, target))
+    return copyOut(readLocal(context, *row, index), params);
+  context.host->GetProgramLocalParameterdvARB(target, index, params);
 }
 
 } // namespace handlers
