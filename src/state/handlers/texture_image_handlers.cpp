@@ -1,6 +1,7 @@
 // TexImage, TexSubImage and GetTexImage: they update the rasterizer's shadows, and handle images in
 // formats of NV_texture_shader.
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <utility>
 
@@ -25,6 +26,22 @@
 namespace arbiter::state {
 
 namespace {
+
+using Size = std::array<GLsizei, 3>;
+
+/// Returns the image of a TexImage.
+ComponentImage wholeOf(GLint dimensions, GLenum target, GLint level, GLint internalFormat,
+                       const Size &size, GLint border, GLenum format) {
+  return {dimensions, 0,       target,  level, GLenum(internalFormat), border, 0, 0, 0,
+          size[0],    size[1], size[2], format};
+}
+
+/// Returns the image of a TexSubImage.
+ComponentImage partOf(GLint dimensions, GLenum target, GLint level, const std::array<GLint, 3> &at,
+                      const Size &size, GLenum format) {
+  return {dimensions, 1,     target,  level,   0,       0,     at[0],
+          at[1],      at[2], size[0], size[1], size[2], format};
+}
 
 // --- HILO components and texture offset groups ---
 
@@ -156,6 +173,31 @@ void defineColors(Context &context, GLenum target, GLint level, GLint internalfo
   noteTextureCommand(context);
 }
 
+/// Executes a TexImage. `colours` handles one of colours, and is told the host's internal format.
+template <typename Colours>
+void defineImage(Context &context, const ComponentImage &image, GLint internalformat, GLenum type,
+                 const void *pixels, Colours colours) {
+  if (isComponents(context, image, type, pixels))
+    return;
+  defineColors(context, image.target, image.level, internalformat, [&](GLint there) {
+    if (!isImaged(context, image, there, type, pixels))
+      colours(there);
+  });
+}
+
+/// Executes a TexSubImage; `host` calls the host's command.
+template <typename Host>
+void replaceImage(Context &context, const ComponentImage &image, GLenum type, const void *pixels,
+                  Host host) {
+  if (isComponents(context, image, type, pixels) || isImaged(context, image, 0, type, pixels))
+    return;
+  if (executesPixels(context) && context.software)
+    context.software->residency.texSubImage(image.target, image.level, image.x, image.y, image.z,
+                                            image.width, image.height, image.depth, image.format,
+                                            type, pixels);
+  host();
+}
+
 // --- GetTexImage ---
 
 GLint sizeOf(const Context &context, GLenum target, GLint level, GLenum pname) {
@@ -232,18 +274,9 @@ void GetTexImage(Context &context, GLenum target, GLint level, GLenum format, GL
 
 void TexImage1D(Context &context, GLenum target, GLint level, GLint internalformat, GLsizei width,
                 GLint border, GLenum format, GLenum type, const void *pixels) {
-  const ComponentImage image = {.dimensions = 1,
-                                .target = target,
-                                .level = level,
-                                .internalFormat = GLenum(internalformat),
-                                .border = border,
-                                .width = width,
-                                .format = format};
-  if (isComponents(context, image, type, pixels))
-    return;
-  defineColors(context, target, level, internalformat, [&](GLint there) {
-    if (isImaged(context, image, there, type, pixels))
-      return;
+  const ComponentImage image =
+      wholeOf(1, target, level, internalformat, {width, 1, 1}, border, format);
+  defineImage(context, image, internalformat, type, pixels, [&](GLint there) {
     if (executesPixels(context) && context.software)
       context.software->residency.textureRedefined(target);
     context.host->TexImage1D(target, level, there, width, border, format, type, pixels);
@@ -252,18 +285,9 @@ void TexImage1D(Context &context, GLenum target, GLint level, GLint internalform
 
 void TexImage2D(Context &context, GLenum target, GLint level, GLint internalformat, GLsizei width,
                 GLsizei height, GLint border, GLenum format, GLenum type, const void *pixels) {
-  const ComponentImage image = {.target = target,
-                                .level = level,
-                                .internalFormat = GLenum(internalformat),
-                                .border = border,
-                                .width = width,
-                                .height = height,
-                                .format = format};
-  if (isComponents(context, image, type, pixels))
-    return;
-  defineColors(context, target, level, internalformat, [&](GLint there) {
-    if (isImaged(context, image, there, type, pixels))
-      return;
+  const ComponentImage image =
+      wholeOf(2, target, level, internalformat, {width, height, 1}, border, format);
+  defineImage(context, image, internalformat, type, pixels, [&](GLint there) {
     if (executesPixels(context) && context.software)
       context.software->residency.texImage2D(target, level, there, width, height, border, format,
                                              type, pixels);
@@ -274,20 +298,9 @@ void TexImage2D(Context &context, GLenum target, GLint level, GLint internalform
 void TexImage3D(Context &context, GLenum target, GLint level, GLint internalformat, GLsizei width,
                 GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type,
                 const void *pixels) {
-  const ComponentImage image = {.dimensions = 3,
-                                .target = target,
-                                .level = level,
-                                .internalFormat = GLenum(internalformat),
-                                .border = border,
-                                .width = width,
-                                .height = height,
-                                .depth = depth,
-                                .format = format};
-  if (isComponents(context, image, type, pixels))
-    return;
-  defineColors(context, target, level, internalformat, [&](GLint there) {
-    if (isImaged(context, image, there, type, pixels))
-      return;
+  const ComponentImage image =
+      wholeOf(3, target, level, internalformat, {width, height, depth}, border, format);
+  defineImage(context, image, internalformat, type, pixels, [&](GLint there) {
     if (executesPixels(context) && context.software)
       context.software->residency.textureRedefined(target);
     context.host->TexImage3D(target, level, there, width, height, depth, border, format, type,
@@ -297,60 +310,31 @@ void TexImage3D(Context &context, GLenum target, GLint level, GLint internalform
 
 void TexSubImage1D(Context &context, GLenum target, GLint level, GLint xoffset, GLsizei width,
                    GLenum format, GLenum type, const void *pixels) {
-  const ComponentImage image = {.dimensions = 1,
-                                .replaces = 1,
-                                .target = target,
-                                .level = level,
-                                .x = xoffset,
-                                .width = width,
-                                .format = format};
-  if (isComponents(context, image, type, pixels) || isImaged(context, image, 0, type, pixels))
-    return;
-  if (executesPixels(context) && context.software)
-    context.software->residency.texSubImage(target, level, xoffset, 0, 0, width, 1, 1, format, type,
-                                            pixels);
-  context.host->TexSubImage1D(target, level, xoffset, width, format, type, pixels);
+  const ComponentImage image = partOf(1, target, level, {xoffset, 0, 0}, {width, 1, 1}, format);
+  replaceImage(context, image, type, pixels, [&] {
+    context.host->TexSubImage1D(target, level, xoffset, width, format, type, pixels);
+  });
 }
 
 void TexSubImage2D(Context &context, GLenum target, GLint level, GLint xoffset, GLint yoffset,
                    GLsizei width, GLsizei height, GLenum format, GLenum type, const void *pixels) {
-  const ComponentImage image = {.replaces = 1,
-                                .target = target,
-                                .level = level,
-                                .x = xoffset,
-                                .y = yoffset,
-                                .width = width,
-                                .height = height,
-                                .format = format};
-  if (isComponents(context, image, type, pixels) || isImaged(context, image, 0, type, pixels))
-    return;
-  if (executesPixels(context) && context.software)
-    context.software->residency.texSubImage(target, level, xoffset, yoffset, 0, width, height, 1,
-                                            format, type, pixels);
-  context.host->TexSubImage2D(target, level, xoffset, yoffset, width, height, format, type, pixels);
+  const ComponentImage image =
+      partOf(2, target, level, {xoffset, yoffset, 0}, {width, height, 1}, format);
+  replaceImage(context, image, type, pixels, [&] {
+    context.host->TexSubImage2D(target, level, xoffset, yoffset, width, height, format, type,
+                                pixels);
+  });
 }
 
 void TexSubImage3D(Context &context, GLenum target, GLint level, GLint xoffset, GLint yoffset,
                    GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format,
                    GLenum type, const void *pixels) {
-  const ComponentImage image = {.dimensions = 3,
-                                .replaces = 1,
-                                .target = target,
-                                .level = level,
-                                .x = xoffset,
-                                .y = yoffset,
-                                .z = zoffset,
-                                .width = width,
-                                .height = height,
-                                .depth = depth,
-                                .format = format};
-  if (isComponents(context, image, type, pixels) || isImaged(context, image, 0, type, pixels))
-    return;
-  if (executesPixels(context) && context.software)
-    context.software->residency.texSubImage(target, level, xoffset, yoffset, zoffset, width, height,
-                                            depth, format, type, pixels);
-  context.host->TexSubImage3D(target, level, xoffset, yoffset, zoffset, width, height, depth,
-                              format, type, pixels);
+  const ComponentImage image =
+      partOf(3, target, level, {xoffset, yoffset, zoffset}, {width, height, depth}, format);
+  replaceImage(context, image, type, pixels, [&] {
+    context.host->TexSubImage3D(target, level, xoffset, yoffset, zoffset, width, height, depth,
+                                format, type, pixels);
+  });
 }
 
 } // namespace handlers
