@@ -25,7 +25,7 @@ struct Close {
       std::fclose(file);
   }
 };
-using File = std::unique_ptr<std::FILE, Close>;
+using OpenFile = std::unique_ptr<std::FILE, Close>;
 
 std::string &speaker() {
   static std::string s_speaker = "arbiter";
@@ -35,7 +35,7 @@ std::string &speaker() {
 } // namespace
 
 Result<std::string, FileError> readInput(const std::string &name) {
-  const File file(name == "-" ? stdin : std::fopen(name.c_str(), "rbe"));
+  const OpenFile file(name == "-" ? stdin : std::fopen(name.c_str(), "rbe"));
   if (!file)
     return FileError{name + ": " + std::strerror(errno)};
   struct stat status = {};
@@ -54,7 +54,7 @@ Result<std::string, FileError> readInput(const std::string &name) {
 }
 
 std::string writeOutput(const std::string &name, std::string_view bytes) {
-  File file(name == "-" ? stdout : std::fopen(name.c_str(), "wbe"));
+  OpenFile file(name == "-" ? stdout : std::fopen(name.c_str(), "wbe"));
   if (!file)
     return name + ": " + std::strerror(errno);
   bool good = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();

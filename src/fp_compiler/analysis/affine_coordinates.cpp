@@ -11,7 +11,6 @@ using ir::File;
 using ir::Instruction;
 using ir::Opcode;
 using ir::Operand;
-using ir::Select;
 
 namespace {
 using Dependence4 = std::array<Dependence, 4>;
@@ -58,8 +57,8 @@ public:
 
 private:
   [[nodiscard]] Dependence component(const Operand &operand, std::size_t position) const {
-    const Select select = operand.swizzle[position];
-    if (select > Select::W)
+    const ir::Select select = operand.swizzle[position];
+    if (select > ir::Select::W)
       return Dependence::Uniform;
     switch (operand.file) {
     case File::Temporary:

@@ -7,10 +7,6 @@
 
 namespace arbiter::fp::opt {
 
-using ir::File;
-using ir::Instruction;
-using ir::Operand;
-
 namespace {
 /// Returns the row that a relative operand reads at a known address, as a plain operand. Out of
 /// range, the result reads zero.

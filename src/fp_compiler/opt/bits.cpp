@@ -6,10 +6,6 @@
 
 namespace arbiter::fp::opt {
 
-using ir::File;
-using ir::Instruction;
-using ir::Operand;
-
 namespace {
 bool hasDenormals(const ir::Vec4 &constant) {
   return std::any_of(constant.begin(), constant.end(),

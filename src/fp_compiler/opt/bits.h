@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "fp_compiler/ir/ir.h"
+#include "fp_compiler/opt/ir_names.h"
 
 namespace arbiter::fp::opt {
 

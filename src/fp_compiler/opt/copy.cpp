@@ -6,11 +6,6 @@
 
 namespace arbiter::fp::opt {
 
-using ir::File;
-using ir::Instruction;
-using ir::Operand;
-using ir::Select;
-
 namespace {
 /// The source that a component was copied from. Zero and One are no registers.
 struct Origin {

@@ -5,9 +5,6 @@
 
 namespace arbiter::fp::opt {
 
-using ir::File;
-using ir::Instruction;
-
 bool removeDeadCode(ir::Program &program) {
   std::vector<std::uint8_t> temporaries(program.temporaries.size(), 0);
   std::vector<std::uint8_t> outputs(program.outputs.size(), 0xF);

@@ -8,9 +8,6 @@
 
 namespace arbiter::fp::opt {
 
-using ir::Instruction;
-using ir::Opcode;
-
 namespace {
 /// True if the instruction is a MOV of a constant already, which is what folding produces.
 bool isFolded(const Instruction &instruction) {

@@ -10,12 +10,6 @@
 
 namespace arbiter::fp::opt {
 
-using ir::File;
-using ir::Instruction;
-using ir::Opcode;
-using ir::Operand;
-using ir::Select;
-
 namespace {
 constexpr std::uint8_t kX = 1, kAll = 0xF;
 /// Maximum number of instructions that the loops may become. The lower limit holds if values decide

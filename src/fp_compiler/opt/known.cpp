@@ -6,12 +6,6 @@
 
 namespace arbiter::fp::opt {
 
-using ir::File;
-using ir::Instruction;
-using ir::Opcode;
-using ir::Operand;
-using ir::Select;
-
 KnownValues::KnownValues(const ir::Program &program, Numerics numerics)
     : m_program(program), m_numerics(numerics), m_components(program.temporaries.size()) {
   for (Components &components : m_components)

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "fp_compiler/ir/ir.h"
+#include "fp_compiler/opt/ir_names.h"
 
 namespace arbiter::fp::opt {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "fp_compiler/ir/ir.h"
+#include "fp_compiler/opt/ir_names.h"
 
 /// Optimisation passes. Each pass requires a program that ir::validate() accepts and leaves a valid
 /// one. It preserves the program's meaning to the bit (ir/semantics.h; all NaNs are equal) in the

@@ -7,11 +7,6 @@
 
 namespace arbiter::fp::opt {
 
-using ir::File;
-using ir::Instruction;
-using ir::Opcode;
-using ir::Select;
-
 namespace {
 /// What an operand component reads: register, array row, version of the temporary or address.
 using Read = std::array<std::uint32_t, 3>;

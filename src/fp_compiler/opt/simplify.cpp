@@ -10,10 +10,6 @@
 
 namespace arbiter::fp::opt {
 
-using ir::Instruction;
-using ir::Opcode;
-using ir::Operand;
-
 namespace {
 bool isPlusZero(std::optional<float> value) {
   return value && std::bit_cast<std::uint32_t>(*value) == 0;

@@ -7,9 +7,6 @@
 
 namespace arbiter::fp::opt {
 
-using ir::Operand;
-using ir::Select;
-
 namespace {
 constexpr std::size_t kMaxRows = 0xFFFF; // an operand's index has 16 bits
 

@@ -4,7 +4,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "fp_compiler/ir/ir.h"
+#include "fp_compiler/opt/ir_names.h"
 
 /// Helpers of the passes: known constants, versions of registers, rows of constants.
 namespace arbiter::fp::opt {

@@ -6,9 +6,6 @@
 
 namespace arbiter::tools::advise {
 
-using fp::ir::Operand;
-using fp::ir::Select;
-
 Draft &Draft::replace(std::uint32_t index, const std::string &statement) {
   m_edits.push_back({m_subject.at(index).span, statement});
   return *this;

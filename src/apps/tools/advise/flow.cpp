@@ -7,16 +7,8 @@
 namespace arbiter::tools::advise {
 
 using fp::hw::kNoInstruction;
-using fp::ir::File;
-using fp::ir::Instruction;
-using fp::ir::Opcode;
-using fp::ir::Operand;
 
 namespace {
-
-int operandsOf(const Instruction &instruction) {
-  return fp::ir::info(instruction.op).operandCount();
-}
 
 /// Returns the kind of a product of two values that are at most affine.
 Depends product(Depends a, Depends b) {

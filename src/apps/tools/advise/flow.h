@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "apps/tools/ir_names.h"
 #include "fp_compiler/analysis/live_values.h"
 #include "fp_compiler/hw/dataflow.h"
-#include "fp_compiler/ir/ir.h"
 
 /// Analyzes the data flow of a program without branches, for rules.
 namespace arbiter::tools::advise {
@@ -20,6 +20,10 @@ struct Use {
   std::uint32_t reader = 0;
   int operand = 0;
 };
+
+[[nodiscard]] inline int operandsOf(const Instruction &instruction) {
+  return fp::ir::info(instruction.op).operandCount();
+}
 
 class Flow {
 public:

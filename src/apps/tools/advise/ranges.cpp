@@ -9,7 +9,6 @@ namespace arbiter::tools::advise {
 namespace {
 
 using fp::analysis::ValueRange;
-using fp::ir::File;
 
 /// Returns the range of a register's component before the instruction.
 ValueRange ofComponent(const Subject &subject, const fp::analysis::RangeAnalysis &analysis,

@@ -8,9 +8,6 @@
 
 namespace arbiter::tools::advise {
 
-using fp::ir::Operand;
-using fp::ir::Select;
-
 namespace {
 
 constexpr char kLetters[] = "xyzw";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/tools/ir_names.h"
 #include "fp_compiler/ir/reads.h"
 #include "fp_compiler/ir/semantics.h"
 
@@ -11,10 +12,6 @@ namespace arbiter::tools::advise {
 namespace {
 
 using fp::ir::Attribute;
-using fp::ir::AttributeKind;
-using fp::ir::Parameter;
-using fp::ir::Program;
-using fp::ir::Vec4;
 
 struct Range {
   float lo, hi;
@@ -65,7 +62,7 @@ std::uint64_t keyOf(const Attribute &attribute) {
   return 1 + (std::uint64_t(attribute.kind) << 8 | std::uint64_t(attribute.index) << 16);
 }
 
-std::uint64_t keyOf(const Parameter &parameter) {
+std::uint64_t keyOf(const fp::ir::Parameter &parameter) {
   const fp::ir::StateRef &state = parameter.state;
   return 2 + (std::uint64_t(parameter.kind) << 8 | std::uint64_t(parameter.index) << 12 |
               std::uint64_t(state.item) << 28 | std::uint64_t(state.back) << 34 |
@@ -85,7 +82,7 @@ public:
           valueIn(rangeOf(attribute, language, c), key(keyOf(attribute), std::uint64_t(c)));
     return value;
   }
-  [[nodiscard]] Vec4 of(const Parameter &parameter) const {
+  [[nodiscard]] Vec4 of(const fp::ir::Parameter &parameter) const {
     Vec4 value;
     for (std::uint64_t c = 0; c < 4; ++c)
       value[c] = valueIn({-2.0f, 2.0f}, key(keyOf(parameter), c));
@@ -124,7 +121,9 @@ public:
   Runner(const Program &program, const Trial &trial) : m_program(program), m_trial(trial) {
     for (const Attribute &attribute : program.attributes)
       m_attributes.push_back(trial.of(attribute, program.language));
-    m_inputs.parameter = [this](const Parameter &parameter) { return parameterOf(parameter); };
+    m_inputs.parameter = [this](const fp::ir::Parameter &parameter) {
+      return parameterOf(parameter);
+    };
     m_inputs.texture = [this](const fp::ir::Sample &sample) { return texelOf(sample); };
     m_inputs.fogCoordinate = trial.of(Attribute{AttributeKind::FogCoord, 0}, program.language)[0];
   }
@@ -160,7 +159,7 @@ private:
     return fp::ir::evaluate(m_program, m_inputs);
   }
 
-  [[nodiscard]] Vec4 parameterOf(const Parameter &parameter) const {
+  [[nodiscard]] Vec4 parameterOf(const fp::ir::Parameter &parameter) const {
     if (m_given != nullptr)
       for (const Given &each : *m_given)
         if (each.derived.kind == Derived::Kind::Local &&

@@ -12,10 +12,6 @@ namespace arbiter::tools {
 
 namespace {
 
-using fp::ir::AttributeKind;
-using fp::ir::Language;
-using fp::ir::ParameterKind;
-using fp::ir::TexTarget;
 using Kind = GivenOption::Kind;
 
 /// The inputs that one program reads; bound parameters count as read.
@@ -52,12 +48,12 @@ bool findUses(const scene::ProgramFile &file, std::vector<Uses> &all) {
   uses.program = &file;
   uses.samples = samplesOf(*result.program);
   for (const fp::ir::Parameter &parameter : result.program->parameters)
-    if (parameter.kind == ParameterKind::Local)
+    if (parameter.kind == fp::ir::ParameterKind::Local)
       uses.locals.push_back(parameter.index);
-    else if (parameter.kind == ParameterKind::Env)
+    else if (parameter.kind == fp::ir::ParameterKind::Env)
       uses.envs.push_back(parameter.index);
   for (const fp::ir::Attribute &attribute : result.program->attributes)
-    if (attribute.kind == AttributeKind::Generic)
+    if (attribute.kind == fp::ir::AttributeKind::Generic)
       uses.attribs.push_back(attribute.index);
   return true;
 }
@@ -84,7 +80,8 @@ std::string faultOfImage(const GivenOption &given, const std::vector<Uses> &all)
   for (const Uses &uses : all)
     for (const Sampled &sampled : uses.samples)
       if (sampled.unit == given.index)
-        return sampled.target == TexTarget::Tex2D || sampled.target == TexTarget::Tex3D
+        return sampled.target == fp::ir::TexTarget::Tex2D ||
+                       sampled.target == fp::ir::TexTarget::Tex3D
                    ? ""
                    : given.option + ": " + uses.program->name + " samples texture[" +
                          std::to_string(sampled.unit) + "] as " +
@@ -102,9 +99,9 @@ std::string faultOfValue(const GivenOption &given, const std::vector<Uses> &all,
       return {};
   }
   return given.option + " has no effect: no " +
-         (!given.language                          ? ""
-          : *given.language == Language::ArbVertex ? "vertex "
-                                                   : "fragment ") +
+         (!given.language                                  ? ""
+          : *given.language == fp::ir::Language::ArbVertex ? "vertex "
+                                                           : "fragment ") +
          "program reads " + row + "[" + std::to_string(given.index) + "]";
 }
 

@@ -14,7 +14,6 @@ using ir::File;
 using ir::Instruction;
 using ir::Opcode;
 using ir::Operand;
-using ir::Select;
 
 namespace {
 /// Range of the offset that the grammar allows beside an address (ARB_vertex_program 2.14.2).
@@ -160,7 +159,7 @@ private:
       const std::uint16_t held = scratch(0);
       hold(held, 1, instruction.src[0]);
       instruction.src[0] = temporary(held);
-      instruction.src[0].swizzle = {Select::X, Select::X, Select::X, Select::X};
+      instruction.src[0].swizzle = {ir::Select::X, ir::Select::X, ir::Select::X, ir::Select::X};
     }
     m_program.code.push_back(instruction);
   }
@@ -238,7 +237,8 @@ private:
         continue;
       const auto from = std::size_t(flag.swizzle[i]);
       if (from > 3 || !(code[last].dst.mask >> from & 1) ||
-          code[last].src[0].swizzle[from] != value.swizzle[i] || zero.swizzle[i] != Select::Zero)
+          code[last].src[0].swizzle[from] != value.swizzle[i] ||
+          zero.swizzle[i] != ir::Select::Zero)
         return false;
     }
     return loadsOnly(code, at, kMaxSteps);

@@ -9,21 +9,29 @@
 
 namespace arbiter::fp::nv {
 
+// The parts of programs that lowering names most.
+using ir::Destination;
+using ir::File;
+using ir::Instruction;
+using ir::Opcode;
+using ir::Operand;
+using ir::Select;
+
 /// Returns a whole register as an operand.
-[[nodiscard]] ir::Operand registerOf(ir::File file, std::uint16_t index);
+[[nodiscard]] Operand registerOf(File file, std::uint16_t index);
 /// Returns an operand that is 0 or 1 in every component, and reads no register.
-[[nodiscard]] ir::Operand number(ir::Select select);
+[[nodiscard]] Operand number(Select select);
 /// The write masks of component x and of all four components.
 inline constexpr std::uint8_t kX = 1, kAll = 0xF;
 /// Return a temporary as an operand. flagOf() returns its x, which holds a flag.
-[[nodiscard]] ir::Operand temporary(std::uint16_t index);
-[[nodiscard]] ir::Operand flagOf(std::uint16_t index);
+[[nodiscard]] Operand temporary(std::uint16_t index);
+[[nodiscard]] Operand flagOf(std::uint16_t index);
 /// Returns a destination: components of a temporary.
-[[nodiscard]] ir::Destination writtenTo(std::uint16_t index, std::uint8_t mask);
+[[nodiscard]] Destination writtenTo(std::uint16_t index, std::uint8_t mask);
 /// Returns an operand with its components in another order, each with its sign.
-[[nodiscard]] ir::Operand swizzled(const ir::Operand &operand, const ir::Swizzle &swizzle);
-[[nodiscard]] ir::Operand component(const ir::Operand &operand, int index);
-[[nodiscard]] ir::Operand negated(ir::Operand operand);
+[[nodiscard]] Operand swizzled(const Operand &operand, const ir::Swizzle &swizzle);
+[[nodiscard]] Operand component(const Operand &operand, int index);
+[[nodiscard]] Operand negated(Operand operand);
 
 /// Appends the code that lowering makes, and adds the registers that it needs besides the text's.
 /// All code belongs to the current statement.
@@ -38,17 +46,16 @@ public:
   }
 
   /// Returns a register for the current statement. Its value is undefined.
-  [[nodiscard]] ir::Destination scratch(std::uint8_t mask = 0xF);
+  [[nodiscard]] Destination scratch(std::uint8_t mask = 0xF);
   /// Adds a register that starts at zero.
   [[nodiscard]] std::uint16_t temporary(std::string_view name);
-  [[nodiscard]] ir::Operand constant(float value);
+  [[nodiscard]] Operand constant(float value);
 
-  void write(ir::Opcode op, const ir::Destination &dst,
-             std::initializer_list<ir::Operand> operands);
+  void write(Opcode op, const Destination &dst, std::initializer_list<Operand> operands);
   /// Writes the instruction to a scratch register, and returns that as an operand.
-  [[nodiscard]] ir::Operand make(ir::Opcode op, std::initializer_list<ir::Operand> operands,
-                                 std::uint8_t mask = 0xF);
-  void append(ir::Instruction instruction);
+  [[nodiscard]] Operand make(Opcode op, std::initializer_list<Operand> operands,
+                             std::uint8_t mask = 0xF);
+  void append(Instruction instruction);
 
 private:
   Binder &m_binder;

@@ -7,10 +7,6 @@
 
 namespace arbiter::fp::nv {
 
-using ir::Opcode;
-using ir::Operand;
-using ir::Select;
-
 namespace {
 Operand one() { return number(Select::One); }
 Operand zero() { return number(Select::Zero); }

@@ -20,8 +20,6 @@ public:
 
 private:
   using Flag = std::optional<std::uint16_t>;
-  using Operand = ir::Operand;
-  using Instruction = ir::Instruction;
 
   /// A register that stands for a result. It can be read, and is moved to the result at the end.
   struct Result {

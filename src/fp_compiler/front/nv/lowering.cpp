@@ -5,13 +5,6 @@
 
 namespace arbiter::fp::nv {
 
-using ir::Destination;
-using ir::File;
-using ir::Instruction;
-using ir::Opcode;
-using ir::Operand;
-using ir::Select;
-
 Lowerer::Lowerer(const std::vector<Statement> &statements, const Sequences &sequences,
                  Binder &binder, Reporter &reporter, const NativeRules &rules)
     : m_statements(statements), m_sequences(sequences), m_rules(rules), m_reporter(reporter),

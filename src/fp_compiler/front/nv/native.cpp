@@ -7,13 +7,7 @@
 
 namespace arbiter::fp::nv {
 
-using ir::Destination;
-using ir::File;
-using ir::Instruction;
 using ir::NativeLanguage;
-using ir::Opcode;
-using ir::Operand;
-using ir::Select;
 
 namespace {
 constexpr float kLeastAddress = -512, kMaxAddress = 511;

@@ -2,10 +2,6 @@
 
 namespace arbiter::fp::nv {
 
-using ir::Opcode;
-using ir::Operand;
-using ir::Select;
-
 /// True for an IF that has only instructions, and IFs of that kind, up to its ENDIF.
 bool Lowerer::selects(const Statement &statement) const {
   if (statement.test.rule == Rule::Tr || statement.test.rule == Rule::Fl)

@@ -2,12 +2,6 @@
 
 namespace arbiter::fp::nv {
 
-using ir::Destination;
-using ir::Instruction;
-using ir::Opcode;
-using ir::Operand;
-using ir::Select;
-
 namespace {
 constexpr std::uint8_t kXyz = 7;
 

@@ -11,7 +11,6 @@ namespace {
 
 using fp::ir::Attribute;
 using fp::ir::AttributeKind;
-using fp::ir::Instruction;
 using fp::ir::Output;
 using fp::ir::OutputKind;
 
@@ -51,10 +50,11 @@ std::optional<Output> resultOf(const Attribute &attribute) {
 
 /// True if the program writes the result. One that is bound but never written does not count.
 bool writes(const fp::ir::Program &vertex, const Output &result) {
-  return std::any_of(vertex.code.begin(), vertex.code.end(), [&](const Instruction &instruction) {
-    return instruction.dst.file == fp::ir::File::Output &&
-           vertex.outputs[instruction.dst.index] == result;
-  });
+  return std::any_of(vertex.code.begin(), vertex.code.end(),
+                     [&](const fp::ir::Instruction &instruction) {
+                       return instruction.dst.file == fp::ir::File::Output &&
+                              vertex.outputs[instruction.dst.index] == result;
+                     });
 }
 
 std::vector<Attribute> readBy(const fp::ir::Program &fragment) {
@@ -84,7 +84,7 @@ fp::ir::Program withResults(fp::ir::Program vertex, const std::vector<Output> &m
   value.constant = {0, 0, 0, 1};
   vertex.parameters.push_back(value);
   for (const Output &result : missing) {
-    Instruction move;
+    fp::ir::Instruction move;
     move.op = fp::ir::Opcode::Mov;
     move.dst.file = fp::ir::File::Output;
     move.dst.index = std::uint16_t(vertex.outputs.size());

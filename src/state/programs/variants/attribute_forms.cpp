@@ -9,10 +9,8 @@ namespace {
 
 using fp::ir::Attribute;
 using fp::ir::AttributeKind;
-using fp::ir::Destination;
 using fp::ir::File;
 using fp::ir::Instruction;
-using fp::ir::Opcode;
 using fp::ir::Operand;
 using fp::ir::Program;
 using fp::ir::Select;
@@ -71,19 +69,20 @@ std::uint16_t choose(Program &program, std::size_t attribute, std::vector<Instru
       {AttributeKind::Generic, std::uint8_t(genericNumberOf(program.attributes[attribute]))});
   const std::uint16_t equal = addTemporary(program);
   const std::uint16_t value = addTemporary(program);
-  const auto write = [&](Opcode op, std::uint16_t to, std::uint8_t components, Operand a, Operand b,
-                         Operand c = {}) {
-    code.push_back({.op = op, .dst = Destination{.index = to, .mask = components}});
+  const auto write = [&](fp::ir::Opcode op, std::uint16_t to, std::uint8_t components, Operand a,
+                         Operand b, Operand c = {}) {
+    code.push_back({.op = op, .dst = fp::ir::Destination{.index = to, .mask = components}});
     code.back().src = {a, b, c};
   };
-  write(Opcode::Seq, equal, mask, read(File::Attribute, attribute), read(File::Attribute, generic));
+  write(fp::ir::Opcode::Seq, equal, mask, read(File::Attribute, attribute),
+        read(File::Attribute, generic));
   for (const Select other : {Select::Y, Select::Z})
     if ((mask >> int(other) & 1u) != 0)
-      write(Opcode::Min, equal, 1, read(File::Temporary, equal, Select::X),
+      write(fp::ir::Opcode::Min, equal, 1, read(File::Temporary, equal, Select::X),
             read(File::Temporary, equal, other));
   Operand notEqual = read(File::Temporary, equal, Select::X);
   notEqual.negate = 0xF;
-  write(Opcode::Cmp, value, 0xF, notEqual, read(File::Attribute, generic),
+  write(fp::ir::Opcode::Cmp, value, 0xF, notEqual, read(File::Attribute, generic),
         read(File::Attribute, attribute));
   return value;
 }

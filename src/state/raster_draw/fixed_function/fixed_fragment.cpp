@@ -8,10 +8,7 @@ namespace arbiter::state {
 
 namespace {
 
-using fp::ir::AttributeKind;
-using fp::ir::Builder;
 using fp::ir::Opcode;
-using fp::ir::StateItem;
 
 /// Writes the program of one key. A temporary carries the colour from unit to unit.
 class Writer {
@@ -20,7 +17,7 @@ public:
 
   fp::ir::Program write() {
     m_color = m_builder.temporary("color");
-    m_primary = m_builder.attribute(AttributeKind::ColorPrimary);
+    m_primary = m_builder.attribute(fp::ir::AttributeKind::ColorPrimary);
     m_builder.op(Opcode::Mov, m_color, {m_primary});
     sampleAll();
     for (std::size_t unit = 0; unit < m_key.units.size(); ++unit)
@@ -45,13 +42,14 @@ private:
         continue;
       m_texels[unit] = m_builder.temporary();
       m_builder.tex(Opcode::Txp, m_texels[unit],
-                    m_builder.attribute(AttributeKind::TexCoord, int(unit)), int(unit), key.target);
+                    m_builder.attribute(fp::ir::AttributeKind::TexCoord, int(unit)), int(unit),
+                    key.target);
     }
   }
 
   [[nodiscard]] fp::ir::Source constant(int unit) {
     fp::ir::StateRef ref;
-    ref.item = StateItem::TexEnvColor;
+    ref.item = fp::ir::StateItem::TexEnvColor;
     ref.index = std::uint8_t(unit);
     return m_builder.state(ref);
   }
@@ -187,7 +185,7 @@ private:
   }
 
   const FixedFragmentKey &m_key;
-  Builder m_builder;
+  fp::ir::Builder m_builder;
   fp::ir::Target m_color;
   fp::ir::Source m_primary;
   std::array<fp::ir::Target, 8> m_texels;

@@ -9,14 +9,11 @@ namespace arbiter::state {
 
 namespace {
 
-using fp::ir::Attribute;
-using fp::ir::AttributeKind;
 using fp::ir::File;
 using fp::ir::Instruction;
 using fp::ir::MatrixModifier;
 using fp::ir::Opcode;
 using fp::ir::Operand;
-using fp::ir::Output;
 using fp::ir::OutputKind;
 using fp::ir::Program;
 using fp::ir::StateItem;
@@ -26,8 +23,8 @@ class Appender {
 public:
   explicit Appender(Program &program) : m_program(program) {}
 
-  std::uint16_t output(const Output &wanted) { return find(m_program.outputs, wanted); }
-  Operand attribute(const Attribute &wanted) {
+  std::uint16_t output(const fp::ir::Output &wanted) { return find(m_program.outputs, wanted); }
+  Operand attribute(const fp::ir::Attribute &wanted) {
     return operand(File::Attribute, find(m_program.attributes, wanted));
   }
   Operand state(StateItem item, int index, int row, MatrixModifier modifier) {
@@ -145,14 +142,14 @@ void addClipDistances(Appender &append, std::uint8_t planes, std::uint16_t posit
 void addInvariantPosition(Program &program) {
   program.options.positionInvariant = false;
   Appender append(program);
-  const Operand vertex = append.attribute({AttributeKind::Position, 0});
+  const Operand vertex = append.attribute({fp::ir::AttributeKind::Position, 0});
   append.transform(File::Output, append.output({OutputKind::Position, 0}), StateItem::MatrixMvp,
                    MatrixModifier::Plain, vertex);
 }
 
 void clipPosition(Program &program, std::uint8_t planes) {
-  const auto found =
-      std::find(program.outputs.begin(), program.outputs.end(), Output{OutputKind::Position, 0});
+  const auto found = std::find(program.outputs.begin(), program.outputs.end(),
+                               fp::ir::Output{OutputKind::Position, 0});
   if (found == program.outputs.end())
     return;
   const auto output = std::uint16_t(found - program.outputs.begin());

@@ -8,8 +8,6 @@ namespace arbiter::tools::advise {
 
 namespace {
 
-using fp::ir::Opcode;
-
 /// SIN and COS of one angle; `early` comes first in the text.
 struct Turn {
   std::uint32_t early, late;

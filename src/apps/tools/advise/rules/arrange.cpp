@@ -10,9 +10,6 @@ namespace arbiter::tools::advise {
 
 namespace {
 
-using fp::ir::File;
-using fp::ir::Operand;
-
 /// The swizzles of the R300's RGB unit, without w: .xyz, .yzx, .zxy, .wzy and single components
 /// (hw/r300).
 constexpr std::array<std::array<std::uint8_t, 3>, 8> kSelects = {

@@ -5,9 +5,6 @@ namespace arbiter::tools::advise {
 
 namespace {
 
-using fp::ir::Instruction;
-using fp::ir::Opcode;
-
 constexpr const char *kClampBySat = "clamp-by-sat";
 constexpr const char *kMessage =
     "MAX and MIN clamp to [0,1], which _SAT does within the instruction that computes the value";

@@ -10,10 +10,6 @@ namespace arbiter::tools::advise {
 
 namespace {
 
-using fp::ir::Instruction;
-using fp::ir::Opcode;
-using fp::ir::Vec4;
-
 constexpr const char *kWork = "constant-work";
 constexpr const char *kChain = "constant-chain";
 

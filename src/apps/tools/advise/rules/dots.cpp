@@ -11,10 +11,6 @@ namespace arbiter::tools::advise {
 
 namespace {
 
-using fp::ir::Instruction;
-using fp::ir::Opcode;
-using fp::ir::Operand;
-
 /// A sum of one register's weighted components and a constant.
 struct Sum {
   std::optional<std::pair<std::uint32_t, int>> place; ///< an operand that names the register

@@ -7,10 +7,6 @@ namespace arbiter::tools::advise {
 
 namespace {
 
-using fp::ir::Instruction;
-using fp::ir::Opcode;
-using fp::ir::Operand;
-
 bool adds(Opcode op) { return op == Opcode::Add || op == Opcode::Sub; }
 
 /// Returns the operand of \p inner as \p outer would read it directly.

@@ -10,10 +10,6 @@ namespace arbiter::tools::advise {
 
 namespace {
 
-using fp::ir::AttributeKind;
-using fp::ir::File;
-using fp::ir::Opcode;
-
 /// True if the result depends on no attributes but texture coordinates. Others are clamped, flat,
 /// or not planar on the triangle.
 bool ofTexCoordsAlone(const Subject &subject, std::uint32_t index) {

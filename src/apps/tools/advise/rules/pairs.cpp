@@ -11,10 +11,6 @@ namespace arbiter::tools::advise {
 
 namespace {
 
-using fp::ir::File;
-using fp::ir::Instruction;
-using fp::ir::Operand;
-
 constexpr std::size_t kMaxProposals = 256, kMaxTried = 2048;
 constexpr std::uint32_t kMaxApart = 48; ///< maximum distance of the chains' first instructions
 constexpr std::size_t kMaxSteps = 8;

@@ -5,13 +5,6 @@
 /// application can do it once.
 namespace arbiter::tools::advise {
 
-namespace {
-
-using fp::ir::Opcode;
-using fp::ir::ParameterKind;
-
-} // namespace
-
 Proposals parameterWork(const Subject &subject) {
   Proposals proposals;
   const std::optional<std::uint16_t> local = freeLocal(subject);

@@ -10,8 +10,6 @@ namespace arbiter::tools::advise {
 
 namespace {
 
-using fp::ir::Opcode;
-
 constexpr const char *kPowerByProducts = "power-by-products";
 
 std::string scalarText(Opcode op, const std::string &destination, const std::string &operand) {

@@ -12,11 +12,6 @@ namespace {
 
 constexpr const char *kDead = "dead-work";
 
-using fp::ir::File;
-using fp::ir::Instruction;
-using fp::ir::Opcode;
-using fp::ir::Operand;
-
 /// True if the first instruction has already computed everything that the second writes.
 bool isSame(const Subject &subject, std::uint32_t first, std::uint32_t second) {
   const Instruction &a = subject.at(first), &b = subject.at(second);

@@ -8,9 +8,6 @@ namespace arbiter::tools::advise {
 
 namespace {
 
-using fp::ir::File;
-using fp::ir::Instruction;
-
 constexpr std::size_t kMaxPlaces = 24;
 
 bool samples(const Instruction &instruction) {

@@ -7,10 +7,6 @@ namespace arbiter::tools::advise {
 
 namespace {
 
-using fp::ir::Instruction;
-using fp::ir::Opcode;
-using fp::ir::Operand;
-
 constexpr const char *kSelectByCmp = "select-by-cmp";
 
 /// The operands between which CMP selects.

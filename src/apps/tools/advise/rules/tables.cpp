@@ -10,10 +10,6 @@ namespace arbiter::tools::advise {
 
 namespace {
 
-using fp::ir::File;
-using fp::ir::Instruction;
-using fp::ir::Opcode;
-
 /// One component of a register between two writes: of an attribute, or of an instruction's result.
 struct Scalar {
   File file = File::Temporary;
@@ -27,10 +23,6 @@ struct Place {
   std::uint32_t instruction = 0;
   int operand = 0;
 };
-
-int operandsOf(const Instruction &instruction) {
-  return fp::ir::info(instruction.op).operandCount();
-}
 
 bool isFunction(Opcode op) {
   switch (op) {

@@ -9,12 +9,6 @@ namespace arbiter::tools::debug {
 
 namespace {
 
-using fp::ir::Builder;
-using fp::ir::File;
-using fp::ir::Instruction;
-using fp::ir::Opcode;
-using fp::ir::Program;
-
 /// Returns a program with the tables of another, without its code. Its only outputs are colours,
 /// one for each target, and no option changes them after they are written.
 Program shell(const Program &program, std::size_t targets) {
@@ -173,7 +167,7 @@ Program showOperands(const Program &program, const std::vector<fp::ir::Operand> 
 
 Program sampleQuad(const Program &program, std::uint8_t unit, fp::ir::TexTarget target,
                    bool biased) {
-  Builder b;
+  fp::ir::Builder b;
   b.options().shadow = program.options.shadow;
   // Parameters 0 to 3 are coordinates, and parameter 4 is the middle of the quad.
   const auto side = b.temporary(), lower = b.temporary(), upper = b.temporary();

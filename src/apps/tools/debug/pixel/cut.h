@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "fp_compiler/ir/ir.h"
+#include "apps/tools/ir_names.h"
 
 /// Makes programs that show values inside another program. Drawn to float targets, they return the
 /// drawer's own values. None of them has a fog option.

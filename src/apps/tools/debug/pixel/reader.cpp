@@ -11,11 +11,6 @@ namespace arbiter::tools::debug {
 
 namespace {
 
-using fp::ir::AttributeKind;
-using fp::ir::Instruction;
-using fp::ir::Program;
-using fp::ir::StateItem;
-
 /// An operand to read, and the destination of its value.
 struct Wanted {
   fp::ir::Operand operand;

@@ -14,8 +14,6 @@ namespace arbiter::tools::debug {
 
 namespace {
 
-using fp::ir::Program;
-
 /// Longer programs are bisected, because drawing a row compiles a program.
 constexpr std::size_t kMaxRowsDrawn = 256;
 

@@ -10,9 +10,6 @@ namespace arbiter::tools::debug {
 
 namespace {
 
-using fp::ir::AttributeKind;
-using fp::ir::StateItem;
-
 Vec4 vec4Of(const glm::vec4 &value) { return {value.x, value.y, value.z, value.w}; }
 
 /// Returns the mesh's texture coordinates for a set.

@@ -17,8 +17,6 @@ namespace arbiter::tools::debug {
 
 namespace {
 
-using fp::ir::Program;
-
 DebugError misspelt(std::string_view text) {
   return {"--watch " + std::string(text) + ": expected REGISTER@LINE, as in 'offset.x@12'"};
 }

@@ -14,9 +14,6 @@ namespace arbiter::tools::debug {
 namespace {
 
 using fp::Numerics;
-using fp::ir::File;
-using fp::ir::Instruction;
-using fp::ir::Program;
 
 constexpr std::size_t kLongestStatement = 200;
 

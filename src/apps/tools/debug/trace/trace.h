@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/tools/ir_names.h"
 #include "fp_compiler/diagnostic.h"
 #include "fp_compiler/ir/evaluate.h"
 
@@ -10,8 +11,6 @@
 /// instruction. Programs have no branches, so that one trace holds every step, and stepping in
 /// either direction changes the row.
 namespace arbiter::tools::debug {
-
-using fp::ir::Vec4;
 
 /// Values of two arithmetics: the one that the program runs with, and one to compare.
 template <typename Value> struct Both {
@@ -24,7 +23,7 @@ struct Operand {
   fp::Span span;
   std::string text; ///< as written in the program: "-offset.yxzw"
   Both<Vec4> value; ///< as read, with swizzle and sign
-  fp::ir::File file = fp::ir::File::Temporary;
+  File file = File::Temporary;
   unsigned reg = 0;       ///< index of the register in its file; with relative addressing, of the
                           ///< array
   std::uint8_t reads = 0; ///< components of `value` that the instruction uses
@@ -64,13 +63,13 @@ struct Row {
   fp::Span span;
   fp::LineColumn at;
   std::string text; ///< the statement, on one line
-  fp::ir::Opcode op = fp::ir::Opcode::Mov;
+  Opcode op = Opcode::Mov;
   std::vector<Operand> operands;
   std::string destination; ///< as written in the program: "offset.xy"; empty for KIL
   /// The register's name: the destination of the register's first row, without mask. Aliases are
   /// the same register.
   std::string name;
-  fp::ir::File file = fp::ir::File::Temporary;
+  File file = File::Temporary;
   unsigned reg = 0;
   std::uint8_t mask = 0; ///< written components; 0 for KIL
   Both<Vec4> value;      ///< the whole register after the write
