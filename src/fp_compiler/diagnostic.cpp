@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "util/text/letters.h"
+
 namespace arbiter::fp {
 
 namespace {
@@ -10,8 +12,6 @@ namespace {
 /// megabyte.
 constexpr std::uint32_t kShownBefore = 60;
 constexpr std::uint32_t kShownAfter = 60;
-
-bool endsLine(char c) { return c == '\n' || c == '\r'; }
 
 /// Returns the text with one printable column for each byte.
 std::string printable(std::string_view piece) {

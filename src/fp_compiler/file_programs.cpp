@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fp_compiler/front/diagnostic_ids.h"
+#include "util/text/letters.h"
 
 namespace arbiter::fp {
 
@@ -12,10 +13,7 @@ constexpr std::string_view kBlanks = " \t\r\n\v\f";
 
 bool isBlank(char c) { return kBlanks.find(c) != std::string_view::npos; }
 
-bool isOfWord(char c) {
-  return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' ||
-         c == '$';
-}
+bool isOfWord(char c) { return isLetterOrDigit(c) || c == '_' || c == '$'; }
 
 std::size_t endOfLine(std::string_view file, std::size_t at) {
   return std::min(file.find_first_of("\r\n", at), file.size());

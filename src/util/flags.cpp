@@ -8,6 +8,7 @@
 
 #include "util/file.h"
 #include "util/suggest.h"
+#include "util/text/letters.h"
 
 namespace arbiter {
 
@@ -267,10 +268,7 @@ void readHud(Reader &reader, Settings &result) {
 /// contain a path.
 void readHostVendor(Reader &reader, Settings &result) {
   const std::string_view value = reader.read(Env::HostVendor);
-  const auto nameByte = [](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
-           c == '-';
-  };
+  const auto nameByte = [](char c) { return isLetterOrDigit(c) || c == '_' || c == '-'; };
   for (const char c : value) {
     if (!nameByte(c)) {
       reader.warn(Env::HostVendor,

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <array>
 
+#include "util/text/letters.h"
+
 namespace arbiter {
 
 namespace {
 
 constexpr std::size_t kMaxWord = 64;
 constexpr std::size_t kMaxCandidates = 256; // more would let the cost grow with a program
-
-char lower(char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; }
 
 /// Returns the optimal string alignment distance, ignoring case. It needs only three rows. Returns
 /// `enough` for any distance from there on.
@@ -26,10 +26,10 @@ unsigned distance(std::string_view a, std::string_view b, unsigned enough) {
     row[0] = unsigned(i);
     unsigned least = row[0];
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const bool same = lower(a[i - 1]) == lower(b[j - 1]);
+      const bool same = lowerCase(a[i - 1]) == lowerCase(b[j - 1]);
       row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (same ? 0u : 1u)});
-      if (i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) &&
-          lower(a[i - 2]) == lower(b[j - 1]))
+      if (i > 1 && j > 1 && lowerCase(a[i - 1]) == lowerCase(b[j - 2]) &&
+          lowerCase(a[i - 2]) == lowerCase(b[j - 1]))
         row[j] = std::min(row[j], twoAbove[j - 2] + 1);
       least = std::min(least, row[j]);
     }

@@ -5,6 +5,8 @@
 #include <span>
 #include <string>
 
+#include "util/text/letters.h"
+
 namespace arbiter::fp {
 
 namespace {
@@ -111,9 +113,7 @@ bool isOneOf(std::string_view word, std::span<const std::string_view> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-bool isOfWord(char c) {
-  return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
-}
+bool isOfWord(char c) { return isLetterOrDigit(c) || c == '_'; }
 
 /// The signs of each language among a text's words.
 struct Seen {
@@ -140,12 +140,11 @@ constexpr std::string_view kHlslWords[] = {
 /// True for a version such as "ps_2_0" or "vs.1.1".
 bool isVersion(std::string_view word, std::string_view behind) {
   const bool stage = word.starts_with("ps") || word.starts_with("vs");
-  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
   if (!stage)
     return false;
   if (word.size() == 2)
-    return behind.size() > 1 && behind[0] == '.' && digit(behind[1]);
-  return word.size() >= 6 && word[2] == '_' && digit(word[3]) && word[4] == '_';
+    return behind.size() > 1 && behind[0] == '.' && isDigit(behind[1]);
+  return word.size() >= 6 && word[2] == '_' && isDigit(word[3]) && word[4] == '_';
 }
 
 void look(Seen &seen, std::string_view word, bool statement, std::string_view before) {

@@ -4,6 +4,7 @@
 
 #include "fp_compiler/hw/builtin.h"
 #include "util/suggest.h"
+#include "util/text/letters.h"
 
 namespace arbiter::fp::hw {
 
@@ -30,11 +31,9 @@ std::string plain(std::string_view typed) {
   std::string name;
   for (const char c : typed.substr(0, kMaxName))
     if (c != ' ' && c != '-' && c != '_')
-      name += c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+      name += lowerCase(c);
   return name;
 }
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 /// Returns a plain() name without its maker and with the series in full: "geforce4" for "gf4",
 /// "radeon9700" for "r9700", "geforcefx5900" for "nvidiagffx5900".

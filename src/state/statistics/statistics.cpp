@@ -21,6 +21,7 @@
 #include "util/hash.h"
 #include "util/log.h"
 #include "util/record/live_record.h"
+#include "util/text/letters.h"
 
 namespace arbiter::state {
 
@@ -70,10 +71,8 @@ std::string languageOf(std::string_view text) {
     return "unknown";
   std::string name;
   for (const char c : text.substr(2, 16)) {
-    const bool digit = c >= '0' && c <= '9';
-    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
     const bool versioned = name.find('.') != name.npos;
-    if ((!digit && !letter && c != '.') || (versioned && !digit))
+    if ((!isLetterOrDigit(c) && c != '.') || (versioned && !isDigit(c)))
       break; // a word may follow the version directly: "!!ARBfp1.0TEMP r;"
     name += c;
   }

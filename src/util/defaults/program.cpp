@@ -9,6 +9,7 @@
 
 #include "util/file.h"
 #include "util/hash.h"
+#include "util/text/letters.h"
 
 namespace arbiter::defaults {
 
@@ -24,13 +25,11 @@ std::string_view lastPart(std::string_view path, const char *separators = "/") {
   return at == std::string_view::npos ? path : path.substr(at + 1);
 }
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; }
-
 bool equalInAnyCase(std::string_view a, std::string_view b) {
   if (a.size() != b.size())
     return false;
   for (std::size_t i = 0; i < a.size(); ++i)
-    if (lower(a[i]) != lower(b[i]))
+    if (lowerCase(a[i]) != lowerCase(b[i]))
       return false;
   return true;
 }
@@ -105,7 +104,7 @@ std::string fromDrive(const Facts &facts, std::string_view path) {
     found = std::string(home) + "/.wine";
   else
     return {};
-  found += std::string("/dosdevices/") + lower(path[0]) + ":";
+  found += std::string("/dosdevices/") + lowerCase(path[0]) + ":";
   for (path.remove_prefix(2); !path.empty() && !found.empty();) {
     const std::size_t end = std::min(path.find_first_of("/\\"), path.size());
     if (end != 0)
@@ -202,7 +201,9 @@ std::string hashOfFile(const std::string &path) {
 bool matches(std::string_view pattern, std::string_view text, bool anyCase) {
   // The position of the last `*`, and how much of the text it has matched so far.
   std::size_t star = std::string_view::npos, taken = 0, p = 0, t = 0;
-  const auto same = [&](char a, char b) { return a == b || (anyCase && lower(a) == lower(b)); };
+  const auto same = [&](char a, char b) {
+    return a == b || (anyCase && lowerCase(a) == lowerCase(b));
+  };
   while (t < text.size()) {
     if (p < pattern.size() && pattern[p] == '*') {
       star = p++;

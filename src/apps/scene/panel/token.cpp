@@ -4,15 +4,14 @@
 #include <charconv>
 #include <cmath>
 
+#include "util/text/letters.h"
+
 namespace arbiter::scene {
 
 namespace {
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool isInWord(char c) { return isLetter(c) || isDigit(c) || c == '-' || c == '.' || c == '/'; }
-bool isBlank(char c) { return c == ' ' || c == '\t'; }
-bool endsLine(char c) { return c == '\n' || c == '\r'; }
+bool beginsWord(char c) { return isLetter(c) || c == '_'; }
+bool isInWord(char c) { return beginsWord(c) || isDigit(c) || c == '-' || c == '.' || c == '/'; }
 
 class Scanner {
 public:
@@ -63,7 +62,7 @@ private:
     const bool sign = peek() == '-' || peek() == '+';
     if (isDigit(peek(sign)) || (peek(sign) == '.' && isDigit(peek(std::size_t(sign) + 1))))
       return number();
-    if (isLetter(peek()) || (peek() == '.' && isLetter(peek(1))))
+    if (beginsWord(peek()) || (peek() == '.' && beginsWord(peek(1))))
       return make(TokenKind::Word, wordLength());
     return make(TokenKind::Unknown, 1);
   }

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 
+#include "util/text/letters.h"
+
 namespace arbiter::tools::advise {
 
 namespace {
-
-bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
-bool isBlank(char c) { return c == ' ' || c == '\t'; }
 
 /// Returns the start of the blanks before \p at.
 std::size_t skipBlanksBack(std::string_view text, std::size_t at) {
@@ -28,9 +27,7 @@ std::size_t skipLineEnd(std::string_view text, std::size_t at) {
   return std::min(text.size(), at + (two ? 2 : 1));
 }
 
-bool beginsLine(std::string_view text, std::size_t at) {
-  return at == 0 || isLineEnd(text[at - 1]);
-}
+bool beginsLine(std::string_view text, std::size_t at) { return at == 0 || endsLine(text[at - 1]); }
 
 /// Returns the line end that the text uses.
 std::string_view lineEnd(std::string_view text) {
@@ -83,7 +80,7 @@ fp::Span wholeStatement(std::string_view text, fp::Span statement) {
   end = std::min(end + 1, text.size());
   const std::size_t begin = skipBlanksBack(text, statement.begin);
   const std::size_t after = skipBlanks(text, end);
-  const bool alone = beginsLine(text, begin) && (after == text.size() || isLineEnd(text[after]));
+  const bool alone = beginsLine(text, begin) && (after == text.size() || endsLine(text[after]));
   if (alone)
     return {std::uint32_t(begin), std::uint32_t(skipLineEnd(text, after))};
   return {statement.begin, std::uint32_t(beginsLine(text, begin) ? after : end)};

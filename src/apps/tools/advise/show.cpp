@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
+#include "util/text/letters.h"
+
 namespace arbiter::tools::advise {
 
 namespace {
 
 /// The longest line shown, because a program may be a single line of a megabyte.
 constexpr std::size_t kMaxShown = 160;
-
-bool endsLine(char c) { return c == '\n' || c == '\r'; }
 
 std::size_t lineBegin(std::string_view text, std::size_t at) {
   while (at > 0 && !endsLine(text[at - 1]))

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "util/text/letters.h"
+
 namespace arbiter::tools {
 
 namespace {
@@ -10,8 +12,7 @@ namespace {
 /// True if a shell takes the character as it is, wherever it stands in a word.
 bool isPlain(char c) {
   constexpr std::string_view kPlain = "%+,-./:=@_";
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-         kPlain.find(c) != std::string_view::npos;
+  return isLetterOrDigit(c) || kPlain.find(c) != std::string_view::npos;
 }
 
 } // namespace

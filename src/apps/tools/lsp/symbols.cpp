@@ -6,6 +6,7 @@
 #include "apps/tools/lsp/reading.h"
 #include "fp_compiler/front/ati/words.h"
 #include "fp_compiler/front/reference/reference.h"
+#include "util/text/letters.h"
 
 namespace arbiter::tools::lsp {
 
@@ -38,8 +39,7 @@ std::string oneLine(std::string_view text) {
   constexpr std::size_t kMax = 96;
   std::string line;
   for (const char c : text.substr(0, kMax)) {
-    const bool space = c == ' ' || c == '\t' || c == '\n' || c == '\r';
-    if (!space)
+    if (!isBlank(c) && !endsLine(c))
       line += c;
     else if (!line.empty() && line.back() != ' ')
       line += ' ';

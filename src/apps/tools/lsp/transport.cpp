@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "util/file.h"
+#include "util/text/letters.h"
 
 namespace arbiter::tools::lsp {
 
@@ -15,13 +16,11 @@ namespace {
 
 constexpr std::size_t kMaxHeaderBytes = 8192;
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; }
-
 /// True for the name Content-Length; header names are not case-sensitive.
 bool isLength(std::string_view name) {
   constexpr std::string_view kName = "content-length";
   return std::equal(name.begin(), name.end(), kName.begin(), kName.end(),
-                    [](char a, char b) { return lower(a) == b; });
+                    [](char a, char b) { return lowerCase(a) == b; });
 }
 
 /// Returns the value of Content-Length in a block of header lines.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fp_compiler/span.h"
+#include "util/text/letters.h"
 
 namespace arbiter::fp::c_like {
 
@@ -11,8 +12,7 @@ namespace {
 constexpr std::uint32_t kLongestShown = 32; ///< the longest operand that a hint repeats, in bytes
 
 bool isOfOperand(char c) {
-  return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
-         std::string_view("_$.[]").find(c) != std::string_view::npos;
+  return isLetterOrDigit(c) || std::string_view("_$.[]").find(c) != std::string_view::npos;
 }
 
 /// Returns the operand that ends before a byte, or begins there; empty if there is none.
@@ -74,8 +74,6 @@ bool isWhole(std::string_view operand) {
   }
   return !operand.empty() && open == 0;
 }
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 /// True for the f of "2.0f": a word right behind a numeral.
 bool isLetterOfNumeral(std::string_view text, Span word) {

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "fp_compiler/front/lexer.h"
+#include "util/text/letters.h"
 
 namespace arbiter::fp {
 
@@ -21,9 +22,8 @@ bool isValue(std::string_view part) {
     return false;
   bool inBraces = false, sign = true;
   for (const char c : part) {
-    const bool word = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
     inBraces = (inBraces && c != '}') || c == '{';
-    if (!word && kOthers.find(c) == std::string_view::npos &&
+    if (!isLetterOrDigit(c) && kOthers.find(c) == std::string_view::npos &&
         !(inBraces && std::string_view(", +-").find(c) != std::string_view::npos) &&
         !(sign && (c == '-' || c == '+')))
       return false;
