@@ -27,6 +27,26 @@ struct Sampler {
   ir::TexTarget target = ir::TexTarget::Tex2D;
 };
 
+/// Returns the dimension of a texture target; a SHADOW target has that of the plain one.
+[[nodiscard]] constexpr abi::Dimension dimensionOf(ir::TexTarget target) {
+  switch (target) {
+  case ir::TexTarget::Tex1D:
+  case ir::TexTarget::Shadow1D:
+    return abi::Dimension::Tex1D;
+  case ir::TexTarget::Tex2D:
+  case ir::TexTarget::Shadow2D:
+    return abi::Dimension::Tex2D;
+  case ir::TexTarget::Tex3D:
+    return abi::Dimension::Tex3D;
+  case ir::TexTarget::Cube:
+    return abi::Dimension::Cube;
+  case ir::TexTarget::Rect:
+  case ir::TexTarget::ShadowRect:
+    return abi::Dimension::Rect;
+  }
+  return abi::Dimension::Tex2D;
+}
+
 /// The properties that a key depends on: the inputs, samplers and outputs of a program after the
 /// passes.
 struct FragmentShape {

@@ -3,40 +3,17 @@
 #include <filesystem>
 
 #include "apps/tools/launch/launch.h"
+#include "fp_compiler/ir/reads.h"
 #include "util/flags.h"
 
 namespace arbiter::tools {
 
 namespace {
-abi::Dimension dimensionOf(fp::ir::TexTarget target) {
-  switch (target) {
-  case fp::ir::TexTarget::Tex1D:
-  case fp::ir::TexTarget::Shadow1D:
-    return abi::Dimension::Tex1D;
-  case fp::ir::TexTarget::Tex2D:
-  case fp::ir::TexTarget::Shadow2D:
-    return abi::Dimension::Tex2D;
-  case fp::ir::TexTarget::Tex3D:
-    return abi::Dimension::Tex3D;
-  case fp::ir::TexTarget::Cube:
-    return abi::Dimension::Cube;
-  case fp::ir::TexTarget::Rect:
-  case fp::ir::TexTarget::ShadowRect:
-    return abi::Dimension::Rect;
-  }
-  return abi::Dimension::Tex2D;
-}
-
-bool isShadow(fp::ir::TexTarget target) {
-  return target == fp::ir::TexTarget::Shadow1D || target == fp::ir::TexTarget::Shadow2D ||
-         target == fp::ir::TexTarget::ShadowRect;
-}
-
 void fillSamplers(const std::vector<fp::jit::Sampler> &units,
                   std::array<abi::SamplerKey, abi::kMaxUnits> &samplers) {
   for (const fp::jit::Sampler &used : units) {
     abi::SamplerKey &sampler = samplers[used.unit];
-    sampler.dimension = dimensionOf(used.target);
+    sampler.dimension = fp::jit::dimensionOf(used.target);
     sampler.shadow = isShadow(used.target);
     sampler.format.layout = sampler.shadow ? abi::Layout::Depth24Stencil8 : abi::Layout::U8x4;
     sampler.wrap.fill(abi::Wrap::ClampToEdge);

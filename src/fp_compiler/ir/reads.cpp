@@ -80,11 +80,6 @@ std::uint8_t coordinateMask(TexTarget target) {
   return 0;
 }
 
-bool isShadow(TexTarget target) {
-  return target == TexTarget::Shadow1D || target == TexTarget::Shadow2D ||
-         target == TexTarget::ShadowRect;
-}
-
 std::uint8_t resultMask(OutputKind kind) {
   switch (kind) {
   case OutputKind::Depth:

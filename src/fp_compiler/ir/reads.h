@@ -13,7 +13,10 @@ namespace arbiter::fp::ir {
 [[nodiscard]] std::uint8_t coordinateMask(TexTarget target);
 
 /// True for targets whose sample is a comparison (ARB_fragment_program_shadow).
-[[nodiscard]] bool isShadow(TexTarget target);
+[[nodiscard]] constexpr bool isShadow(TexTarget target) {
+  return target == TexTarget::Shadow1D || target == TexTarget::Shadow2D ||
+         target == TexTarget::ShadowRect;
+}
 
 /// Returns the operand components, before the swizzle, that affect the components in the
 /// destination's mask. KIL gives all four, a scalar operand bit 0, and an unread operand 0.

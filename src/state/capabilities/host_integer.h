@@ -12,4 +12,11 @@ namespace arbiter::state {
   return value;
 }
 
+/// Returns one value of the texture environment of the host's active unit.
+[[nodiscard]] inline GLint hostEnvironment(const host::HostTable &host, GLenum name) {
+  GLint value = 0;
+  host.GetTexEnviv(GL_TEXTURE_ENV, name, &value);
+  return value;
+}
+
 } // namespace arbiter::state

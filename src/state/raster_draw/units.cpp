@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fp_compiler/ir/reads.h"
 #include "state/host_draw/texturing/sampler_override.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/raster_context.h"
@@ -11,11 +12,6 @@ namespace arbiter::state {
 namespace {
 
 using fp::ir::TexTarget;
-
-bool isShadow(TexTarget target) {
-  return target == TexTarget::Shadow1D || target == TexTarget::Shadow2D ||
-         target == TexTarget::ShadowRect;
-}
 
 TextureLevels levelsOf(const SamplerState &state) { return {state.baseLevel, state.maxLevel}; }
 
@@ -60,25 +56,6 @@ void swizzle(const std::array<GLenum, 4> &names, abi::Swizzle &texel, float bord
 
 } // namespace
 
-abi::Dimension dimensionOf(TexTarget target) {
-  switch (target) {
-  case TexTarget::Tex1D:
-  case TexTarget::Shadow1D:
-    return abi::Dimension::Tex1D;
-  case TexTarget::Tex2D:
-  case TexTarget::Shadow2D:
-    return abi::Dimension::Tex2D;
-  case TexTarget::Tex3D:
-    return abi::Dimension::Tex3D;
-  case TexTarget::Cube:
-    return abi::Dimension::Cube;
-  case TexTarget::Rect:
-  case TexTarget::ShadowRect:
-    return abi::Dimension::Rect;
-  }
-  return abi::Dimension::Tex2D;
-}
-
 abi::Swizzle depthSwizzle(GLenum mode) {
   using abi::From;
   switch (mode) {
@@ -96,7 +73,7 @@ abi::Swizzle depthSwizzle(GLenum mode) {
 void Units::refresh(RasterContext &context, Mirror &mirror, const Samplers &samplers) {
   m_uses.clear();
   for (const auto &sampler : samplers)
-    m_uses.push_back({sampler.unit, dimensionOf(sampler.target)});
+    m_uses.push_back({sampler.unit, fp::jit::dimensionOf(sampler.target)});
   if (mirror.samplersAreDirty(m_uses)) [[unlikely]] {
     releaseSamplers(context);
     mirror.refreshSamplers(m_uses);
@@ -120,7 +97,7 @@ Outcome Units::bind(RasterContext &context, Mirror &mirror, const Samplers &samp
   m_levelsMatter = 0;
   refresh(context, mirror, samplers);
   for (const auto &sampler : samplers) {
-    const abi::Dimension dimension = dimensionOf(sampler.target);
+    const abi::Dimension dimension = fp::jit::dimensionOf(sampler.target);
     const SamplerState &state = mirror.samplers[sampler.unit][std::size_t(dimension)];
     if (state.obstacle)
       return Fallback::Texture;

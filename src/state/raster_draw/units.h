@@ -13,9 +13,6 @@ struct RasterContext;
 
 namespace arbiter::state {
 
-/// Returns the dimension of a texture target; a SHADOW target has that of the plain one.
-[[nodiscard]] abi::Dimension dimensionOf(fp::ir::TexTarget target);
-
 /// Returns how a depth, or the result of its comparison, becomes RGBA (DEPTH_TEXTURE_MODE,
 /// ARB_depth_texture).
 [[nodiscard]] abi::Swizzle depthSwizzle(GLenum mode);

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "host/host_table.h"
+#include "state/capabilities/host_integer.h"
 #include "state/core/unit_scope.h"
 #include "state/host_draw/draw_context.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
@@ -32,12 +33,6 @@ constexpr GLenum kFunctions[] = {GL_REPLACE,
                                  GL_MODULATE_SIGNED_ADD_ATI,
                                  GL_MODULATE_SUBTRACT_ATI};
 
-GLint valueOf(const host::HostTable &host, GLenum pname) {
-  GLint value = 0;
-  host.GetTexEnviv(GL_TEXTURE_ENV, pname, &value);
-  return value;
-}
-
 CombineSource sourceOf(GLint name) {
   switch (name) {
   case GL_CONSTANT:
@@ -63,7 +58,7 @@ CombineSource sourceOf(GLint name) {
 /// distance, and those of the fourth argument follow the third's.
 CombineHalf halfOf(const host::HostTable &host, bool alpha, bool four) {
   CombineHalf half;
-  const auto function = GLenum(valueOf(host, alpha ? GL_COMBINE_ALPHA : GL_COMBINE_RGB));
+  const auto function = GLenum(hostEnvironment(host, alpha ? GL_COMBINE_ALPHA : GL_COMBINE_RGB));
   const auto *const row = std::find(std::begin(kFunctions), std::end(kFunctions), function);
   half.function = row == std::end(kFunctions) ? CombineFunction::Modulate
                                               : CombineFunction(row - std::begin(kFunctions));
@@ -73,10 +68,11 @@ CombineHalf halfOf(const host::HostTable &host, bool alpha, bool four) {
   for (int i = 0; i < fp::texture_shader::argumentsOf(half.function); ++i) {
     const GLenum source = GLenum(alpha ? GL_SOURCE0_ALPHA : GL_SOURCE0_RGB) + GLenum(i);
     const GLenum operand = GLenum(alpha ? GL_OPERAND0_ALPHA : GL_OPERAND0_RGB) + GLenum(i);
-    const GLint how = valueOf(host, operand);
-    half.arguments[std::size_t(i)] = {
-        sourceOf(valueOf(host, source)), how == GL_SRC_ALPHA || how == GL_ONE_MINUS_SRC_ALPHA,
-        how == GL_ONE_MINUS_SRC_COLOR || how == GL_ONE_MINUS_SRC_ALPHA};
+    const GLint how = hostEnvironment(host, operand);
+    half.arguments[std::size_t(i)] = {sourceOf(hostEnvironment(host, source)),
+                                      how == GL_SRC_ALPHA || how == GL_ONE_MINUS_SRC_ALPHA,
+                                      how == GL_ONE_MINUS_SRC_COLOR ||
+                                          how == GL_ONE_MINUS_SRC_ALPHA};
   }
   GLfloat scale = 1;
   host.GetTexEnvfv(GL_TEXTURE_ENV, alpha ? GL_ALPHA_SCALE : GL_RGB_SCALE, &scale);
@@ -87,7 +83,7 @@ CombineHalf halfOf(const host::HostTable &host, bool alpha, bool four) {
 /// Queries the active unit's environment.
 Environment environmentOf(const host::HostTable &host) {
   Environment environment;
-  const GLint mode = valueOf(host, GL_TEXTURE_ENV_MODE);
+  const GLint mode = hostEnvironment(host, GL_TEXTURE_ENV_MODE);
   switch (mode) {
   case GL_REPLACE:
     environment.mode = EnvironmentMode::Replace;

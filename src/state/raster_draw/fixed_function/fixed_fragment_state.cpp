@@ -4,6 +4,7 @@
 
 #include "fp_compiler/ir/ir.h"
 #include "host/host_table.h"
+#include "state/capabilities/host_integer.h"
 #include "state/core/unit_scope.h"
 #include "state/host_draw/texturing/fixed_function_now.h"
 #include "state/host_draw/texturing/sampler_override.h"
@@ -25,16 +26,10 @@ constexpr GLenum kCombineFunctions[] = {GL_REPLACE,     GL_MODULATE, GL_ADD,    
                                         GL_INTERPOLATE, GL_SUBTRACT, GL_DOT3_RGB, GL_DOT3_RGBA};
 constexpr int kArguments[] = {1, 2, 2, 2, 3, 2, 2, 2};
 
-GLint environmentValue(const host::HostTable &host, GLenum pname) {
-  GLint value = 0;
-  host.GetTexEnviv(GL_TEXTURE_ENV, pname, &value);
-  return value;
-}
-
 /// Queries one half of COMBINE: RGB's or alpha's. The enumerants of the halves differ by one fixed
 /// distance.
 bool queryCombiner(const host::HostTable &host, bool alpha, Combiner &half) {
-  const GLint function = environmentValue(host, alpha ? GL_COMBINE_ALPHA : GL_COMBINE_RGB);
+  const GLint function = hostEnvironment(host, alpha ? GL_COMBINE_ALPHA : GL_COMBINE_RGB);
   const auto *const row =
       std::find(std::begin(kCombineFunctions), std::end(kCombineFunctions), GLenum(function));
   if (row == std::end(kCombineFunctions))
@@ -42,7 +37,7 @@ bool queryCombiner(const host::HostTable &host, bool alpha, Combiner &half) {
   half.function = std::uint8_t(row - std::begin(kCombineFunctions));
   for (int i = 0; i < kArguments[half.function]; ++i) {
     const GLint source =
-        environmentValue(host, GLenum(alpha ? GL_SOURCE0_ALPHA : GL_SOURCE0_RGB) + GLenum(i));
+        hostEnvironment(host, GLenum(alpha ? GL_SOURCE0_ALPHA : GL_SOURCE0_RGB) + GLenum(i));
     std::uint8_t &to = half.sources[std::size_t(i)];
     if (source == GL_TEXTURE)
       to = 0;
@@ -57,7 +52,7 @@ bool queryCombiner(const host::HostTable &host, bool alpha, Combiner &half) {
     else
       return false;
     const GLint operand =
-        environmentValue(host, GLenum(alpha ? GL_OPERAND0_ALPHA : GL_OPERAND0_RGB) + GLenum(i));
+        hostEnvironment(host, GLenum(alpha ? GL_OPERAND0_ALPHA : GL_OPERAND0_RGB) + GLenum(i));
     half.operands[std::size_t(i)] =
         std::uint8_t(operand == GL_ONE_MINUS_SRC_COLOR || operand == GL_ONE_MINUS_SRC_ALPHA) |
         std::uint8_t((operand == GL_SRC_ALPHA || operand == GL_ONE_MINUS_SRC_ALPHA) ? 2 : 0);
@@ -70,7 +65,7 @@ bool queryCombiner(const host::HostTable &host, bool alpha, Combiner &half) {
 
 /// Queries the active unit's environment. Returns false for an environment of an extension.
 bool queryEnvironment(const host::HostTable &host, TextureUnitKey &unit) {
-  switch (environmentValue(host, GL_TEXTURE_ENV_MODE)) {
+  switch (hostEnvironment(host, GL_TEXTURE_ENV_MODE)) {
   case GL_REPLACE:
     unit.environment = Environment::Replace;
     return true;
@@ -156,7 +151,7 @@ Outcome FixedFragments::completeUnits(RasterContext &context, Mirror &mirror,
     TextureUnitKey &unit = key.units[i];
     if (unit.environment == Environment::Off)
       continue;
-    const SamplerUse use{std::uint8_t(i), dimensionOf(unit.target)};
+    const SamplerUse use{std::uint8_t(i), fp::jit::dimensionOf(unit.target)};
     if (mirror.samplersAreDirty({&use, 1})) {
       releaseSamplers(context);
       mirror.refreshSamplers({&use, 1});

@@ -19,7 +19,7 @@ bool isRasterValue(const fp::ir::Attribute &attribute) {
 bool samplesAlongAxis(const LookedAt &draw) {
   return std::any_of(draw.fragments.samplers.begin(), draw.fragments.samplers.end(),
                      [&](const fp::jit::Sampler &each) {
-                       const auto dimension = std::size_t(dimensionOf(each.target));
+                       const auto dimension = std::size_t(fp::jit::dimensionOf(each.target));
                        return draw.mirror.samplers[each.unit][dimension].key.anisotropic != 0;
                      });
 }
