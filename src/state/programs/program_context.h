@@ -94,4 +94,9 @@ protected:
   return rowOf(context, cap);
 }
 
+/// True if there is the matrix COLOR, of the layer's or of the host's imaging.
+[[nodiscard]] inline bool hasColorMatrix(const ProgramContext &context) {
+  return context.imaging || context.caps.has("GL_ARB_imaging");
+}
+
 } // namespace arbiter::state

@@ -72,10 +72,6 @@ std::optional<StateRef> stateOf(const ProgramContext &context, GLenum matrix) {
   return numbered(GL_TEXTURE0, context.caps.maxTextureCoords, StateItem::MatrixTexture);
 }
 
-bool hasColorMatrix(const ProgramContext &context) {
-  return context.imaging || context.caps.has("GL_ARB_imaging");
-}
-
 bool isMatrix(const ProgramContext &context, GLenum matrix) {
   return matrix == GL_NONE || (matrix == GL_COLOR && hasColorMatrix(context)) ||
          stateOf(context, matrix).has_value();

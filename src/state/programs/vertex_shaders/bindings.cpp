@@ -107,10 +107,6 @@ std::optional<VertexSymbol> materialParameter(bool back, GLenum value) {
   }
 }
 
-bool hasColorMatrix(const ProgramContext &context) {
-  return context.imaging || context.caps.has("GL_ARB_imaging");
-}
-
 std::optional<VertexSymbol> parameter(const ProgramContext &context, GLenum value) {
   const auto matrix = [](StateItem item) { return ofState(DataType::Matrix, {.item = item}); };
   const auto fog = [](int component) {
