@@ -110,21 +110,18 @@ void VertexAttribPointerNV(Context &context, GLuint index, GLint fsize, GLenum t
 }
 
 void GetVertexAttribfvNV(Context &context, GLuint index, GLenum pname, GLfloat *params) {
-  if (!context.nv)
-    return absentCommand(context, context.host->GetVertexAttribfvNV, index, pname, params);
-  getAttribute(context, index, pname, params);
+  commandOfNv(context, getAttribute<GLfloat>, context.host->GetVertexAttribfvNV, index, pname,
+              params);
 }
 
 void GetVertexAttribdvNV(Context &context, GLuint index, GLenum pname, GLdouble *params) {
-  if (!context.nv)
-    return absentCommand(context, context.host->GetVertexAttribdvNV, index, pname, params);
-  getAttribute(context, index, pname, params);
+  commandOfNv(context, getAttribute<GLdouble>, context.host->GetVertexAttribdvNV, index, pname,
+              params);
 }
 
 void GetVertexAttribivNV(Context &context, GLuint index, GLenum pname, GLint *params) {
-  if (!context.nv)
-    return absentCommand(context, context.host->GetVertexAttribivNV, index, pname, params);
-  getAttribute(context, index, pname, params);
+  commandOfNv(context, getAttribute<GLint>, context.host->GetVertexAttribivNV, index, pname,
+              params);
 }
 
 void GetVertexAttribPointervNV(Context &context, GLuint index, GLenum pname, void **pointer) {

@@ -76,18 +76,14 @@ void ProgramNamedParameter4dvNV(Context &context, GLuint id, GLsizei len, const 
 
 void GetProgramNamedParameterfvNV(Context &context, GLuint id, GLsizei len, const GLubyte *name,
                                   GLfloat *params) {
-  if (!context.nv)
-    return absentCommand(context, context.host->GetProgramNamedParameterfvNV, id, len, name,
-                         params);
-  getNamed(context, id, len, name, params);
+  commandOfNv(context, getNamed<GLfloat>, context.host->GetProgramNamedParameterfvNV, id, len, name,
+              params);
 }
 
 void GetProgramNamedParameterdvNV(Context &context, GLuint id, GLsizei len, const GLubyte *name,
                                   GLdouble *params) {
-  if (!context.nv)
-    return absentCommand(context, context.host->GetProgramNamedParameterdvNV, id, len, name,
-                         params);
-  getNamed(context, id, len, name, params);
+  commandOfNv(context, getNamed<GLdouble>, context.host->GetProgramNamedParameterdvNV, id, len,
+              name, params);
 }
 
 } // namespace handlers

@@ -115,18 +115,14 @@ void ProgramParameters4dvNV(Context &context, GLenum target, GLuint index, GLsiz
 
 void GetProgramParameterfvNV(Context &context, GLenum target, GLuint index, GLenum pname,
                              GLfloat *params) {
-  if (!context.nv)
-    return absentCommand(context, context.host->GetProgramParameterfvNV, target, index, pname,
-                         params);
-  getParameter(context, target, index, pname, params);
+  commandOfNv(context, getParameter<GLfloat>, context.host->GetProgramParameterfvNV, target, index,
+              pname, params);
 }
 
 void GetProgramParameterdvNV(Context &context, GLenum target, GLuint index, GLenum pname,
                              GLdouble *params) {
-  if (!context.nv)
-    return absentCommand(context, context.host->GetProgramParameterdvNV, target, index, pname,
-                         params);
-  getParameter(context, target, index, pname, params);
+  commandOfNv(context, getParameter<GLdouble>, context.host->GetProgramParameterdvNV, target, index,
+              pname, params);
 }
 
 } // namespace handlers

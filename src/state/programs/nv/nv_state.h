@@ -45,4 +45,13 @@ Result absentCommand(ProgramContext &context, Result (*host)(Parameters...),
   return Result();
 }
 
+/// Executes `own` in a context that offers NVIDIA's commands, and absentCommand() in others.
+template <typename Context, typename... Parameters, typename... Arguments>
+void commandOfNv(Context &context, void (*own)(Context &, Parameters...),
+                 void (*host)(Parameters...), Arguments... arguments) {
+  if (!context.nv)
+    return absentCommand(context, host, arguments...);
+  own(context, arguments...);
+}
+
 } // namespace arbiter::state
