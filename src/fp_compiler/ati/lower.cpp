@@ -323,11 +323,6 @@ private:
 
   Target scratch() { return m_builder.temporary(); }
 
-  static Target withMask(Target target, std::uint8_t mask) {
-    target.Destination::mask = mask;
-    return target;
-  }
-
   const Shader &m_shader;
   float m_range;
   bool m_clampConstants;

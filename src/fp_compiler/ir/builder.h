@@ -31,6 +31,12 @@ struct Target : Destination {
   [[nodiscard]] Source read() const;
 };
 
+/// Returns the destination with another write mask.
+[[nodiscard]] inline Target withMask(Target target, std::uint8_t mask) {
+  target.Destination::mask = mask;
+  return target;
+}
+
 class Builder {
 public:
   explicit Builder(Language language = Language::ArbFragment) { m_program.language = language; }

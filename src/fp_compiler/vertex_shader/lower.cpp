@@ -14,16 +14,6 @@ namespace arbiter::fp::vertex_shader {
 
 namespace {
 
-using ir::kLetters;
-using ir::Opcode;
-using ir::Source;
-using ir::Target;
-
-Target withMask(Target target, std::uint8_t mask) {
-  target.Destination::mask = mask;
-  return target;
-}
-
 class Lowering {
 public:
   explicit Lowering(const Shader &shader) : m_shader(shader), m_symbols(m_builder, shader) {}

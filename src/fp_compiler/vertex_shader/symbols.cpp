@@ -9,11 +9,6 @@ namespace arbiter::fp::vertex_shader {
 
 namespace {
 
-using ir::kLetters;
-using ir::Opcode;
-using ir::Source;
-using ir::Target;
-
 /// Returns the nearest number that program text can express.
 float finite(float value) {
   constexpr float kMax = std::numeric_limits<float>::max();

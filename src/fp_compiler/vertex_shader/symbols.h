@@ -8,6 +8,11 @@
 
 namespace arbiter::fp::vertex_shader {
 
+using ir::kLetters;
+using ir::Opcode;
+using ir::Source;
+using ir::Target;
+
 /// Maps the symbols of a shader to registers of the program under construction. Each register is
 /// made on first use.
 class Symbols {
@@ -19,26 +24,26 @@ public:
     return m_shader.symbols[symbol];
   }
   /// Returns a row of the symbol's value, or a scalar's component four times.
-  [[nodiscard]] ir::Source read(std::uint32_t symbol, int row = 0);
+  [[nodiscard]] Source read(std::uint32_t symbol, int row = 0);
   /// Returns the register of a row of a local.
-  [[nodiscard]] ir::Target local(std::uint32_t symbol, int row = 0);
+  [[nodiscard]] Target local(std::uint32_t symbol, int row = 0);
   /// Returns a row as a parameter, as arrays need. Only constants, invariants and state have one.
-  [[nodiscard]] ir::Source parameter(std::uint32_t symbol, int row);
+  [[nodiscard]] Source parameter(std::uint32_t symbol, int row);
   [[nodiscard]] static bool isParameter(const Symbol &symbol) {
     return symbol.from != From::Local && symbol.from != From::Attribute;
   }
-  [[nodiscard]] ir::Source literal(float value);
+  [[nodiscard]] Source literal(float value);
   [[nodiscard]] std::vector<EnvRow> takeEnv() { return std::move(m_env); }
 
 private:
   struct Rows {
-    std::array<std::optional<ir::Source>, 4> sources;
-    std::array<std::optional<ir::Target>, 4> registers; ///< of a local or a direction
+    std::array<std::optional<Source>, 4> sources;
+    std::array<std::optional<Target>, 4> registers; ///< of a local or a direction
   };
-  [[nodiscard]] ir::Source whole(std::uint32_t symbol, int row);
+  [[nodiscard]] Source whole(std::uint32_t symbol, int row);
   /// Returns a row of state with its fourth component set to 0.
-  [[nodiscard]] ir::Source direction(std::uint32_t symbol);
-  [[nodiscard]] ir::Source attribute(const Symbol &symbol, int column);
+  [[nodiscard]] Source direction(std::uint32_t symbol);
+  [[nodiscard]] Source attribute(const Symbol &symbol, int column);
   /// Converts a matrix from columns to rows.
   void transpose(const Symbol &symbol, Rows &rows);
 
@@ -46,7 +51,7 @@ private:
   const Shader &m_shader;
   std::vector<Rows> m_rows;
   std::vector<EnvRow> m_env;
-  std::vector<std::pair<float, ir::Source>> m_literals;
+  std::vector<std::pair<float, Source>> m_literals;
 };
 
 } // namespace arbiter::fp::vertex_shader

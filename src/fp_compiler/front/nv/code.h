@@ -21,6 +21,8 @@ using ir::Select;
 [[nodiscard]] Operand registerOf(File file, std::uint16_t index);
 /// Returns an operand that is 0 or 1 in every component, and reads no register.
 [[nodiscard]] Operand number(Select select);
+[[nodiscard]] inline Operand zero() { return number(Select::Zero); }
+[[nodiscard]] inline Operand one() { return number(Select::One); }
 /// The write masks of component x and of all four components.
 inline constexpr std::uint8_t kX = 1, kAll = 0xF;
 /// Return a temporary as an operand. flagOf() returns its x, which holds a flag.

@@ -7,11 +7,6 @@
 
 namespace arbiter::fp::nv {
 
-namespace {
-Operand one() { return number(Select::One); }
-Operand zero() { return number(Select::Zero); }
-} // namespace
-
 /// Adds a flag register with that value.
 std::uint16_t Lowerer::flag(const Operand &value) {
   const std::uint16_t index = m_code.temporary("");

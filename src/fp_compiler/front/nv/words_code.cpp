@@ -5,9 +5,6 @@ namespace arbiter::fp::nv {
 namespace {
 constexpr std::uint8_t kXyz = 7;
 
-Operand zero() { return number(Select::Zero); }
-Operand one() { return number(Select::One); }
-
 /// Computes X2D: a.xyxy + b.x*c.xzxz + b.y*c.ywyw.
 void transform(Code &code, const Instruction &i) {
   const auto [a, b, c] = i.src;

@@ -92,9 +92,6 @@ bool freeConstant(float value, std::uint8_t &select) {
   return true;
 }
 
-bool sameNumber(float a, float b) {
-  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
-}
 } // namespace
 
 bool Emitter::take(const Refs &refs, std::uint8_t components, FlowArgument &argument, bool commit) {

@@ -5,10 +5,6 @@
 namespace arbiter::fp::hw::r300 {
 
 namespace {
-bool same(float a, float b) {
-  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
-}
-
 bool same(const ir::Parameter &a, const ir::Parameter &b) {
   if (a.kind != b.kind)
     return false;
@@ -58,7 +54,7 @@ bool Rows::find(const Row &row, const Refs &literals, std::uint8_t components, P
         const std::uint8_t tap = kTaps[select][c];
         const float value = row.constant.value[tap];
         fits = !(components >> c & 1) ||
-               ((row.filled >> tap & 1) && same(literals[c].value, negate ? -value : value));
+               ((row.filled >> tap & 1) && sameNumber(literals[c].value, negate ? -value : value));
       }
       if (fits) {
         place.select = select;
@@ -75,7 +71,7 @@ bool Rows::place(Row &row, const Refs &literals, std::uint8_t components, Place 
   const std::size_t first = std::size_t(std::countr_zero(components));
   bool equal = true;
   for (std::size_t c = first; c < 3; ++c)
-    equal &= !(components >> c & 1) || same(literals[c].value, literals[first].value);
+    equal &= !(components >> c & 1) || sameNumber(literals[c].value, literals[first].value);
   if (equal) // fits in any free component
     for (const std::uint8_t c : {3, 2, 1, 0})
       if (!(row.filled >> c & 1)) {
@@ -87,7 +83,7 @@ bool Rows::place(Row &row, const Refs &literals, std::uint8_t components, Place 
       }
   for (std::size_t c = 0; c < 3; ++c)
     if ((components >> c & 1) && (row.filled >> c & 1) &&
-        !same(row.constant.value[c], literals[c].value))
+        !sameNumber(row.constant.value[c], literals[c].value))
       return false;
   for (std::size_t c = 0; c < 3; ++c)
     if (components >> c & 1)
@@ -142,7 +138,7 @@ Rows::Place Rows::at(const Refs &literals, std::uint8_t components, std::uint8_t
         continue;
       const std::uint8_t tap = kTaps[select][c];
       const float value = row.constant.value[tap];
-      if (row.filled >> tap & 1 ? !same(negate ? -value : value, literals[c].value) : !orFree)
+      if (row.filled >> tap & 1 ? !sameNumber(negate ? -value : value, literals[c].value) : !orFree)
         return false;
     }
     return true;
@@ -172,7 +168,7 @@ Rows::Place Rows::alpha(const Ref &literal, std::uint16_t origin) {
     for (const std::uint8_t c : {3, 0, 1, 2})
       if (row.known && (row.filled >> c & 1))
         for (const bool negate : {false, true})
-          if (same(negate ? -row.constant.value[c] : row.constant.value[c], literal.value)) {
+          if (sameNumber(negate ? -row.constant.value[c] : row.constant.value[c], literal.value)) {
             result = {std::uint16_t(i), c, negate};
             return true;
           }

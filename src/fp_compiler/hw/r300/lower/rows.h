@@ -1,11 +1,17 @@
 #pragma once
 #include <algorithm>
+#include <bit>
 
 #include "fp_compiler/hw/r300/lower/flow.h"
 
 /// Collects constant memory. Equal rows are merged, and a number is found in any row where an
 /// argument can read it.
 namespace arbiter::fp::hw::r300 {
+
+/// True if both have the same bits.
+[[nodiscard]] inline bool sameNumber(float a, float b) {
+  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+}
 
 class Rows {
 public:
