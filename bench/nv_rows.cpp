@@ -22,7 +22,7 @@ constexpr GLsizei kIndices = kSide * kSide * 6;
 enum class Facing { Away, Towards };
 
 struct Vertex {
-  float position[4], colour[4], coordinate[2], normal[3], matrix;
+  float position[4], color[4], coordinate[2], normal[3], matrix;
 };
 
 void makeGrid() {
@@ -58,7 +58,7 @@ void makeGrid() {
   constexpr GLsizei kStride = sizeof(Vertex);
   const auto at = [](std::size_t offset) { return reinterpret_cast<const void *>(offset); };
   glVertexPointer(4, GL_FLOAT, kStride, at(offsetof(Vertex, position)));
-  glColorPointer(4, GL_FLOAT, kStride, at(offsetof(Vertex, colour)));
+  glColorPointer(4, GL_FLOAT, kStride, at(offsetof(Vertex, color)));
   const std::pair<GLint, std::size_t> kSets[] = {{2, offsetof(Vertex, coordinate)},
                                                  {3, offsetof(Vertex, normal)},
                                                  {1, offsetof(Vertex, matrix)}};
@@ -120,9 +120,9 @@ void enter(GLenum target) {
   glEnable(GL_FRAGMENT_PROGRAM_ARB);
   if (target == GL_FRAGMENT_PROGRAM_ARB)
     return;
-  static const GLuint s_colour =
+  static const GLuint s_color =
       makeProgram(GL_FRAGMENT_PROGRAM_ARB, "!!ARBfp1.0\nMOV result.color, fragment.color;\nEND\n");
-  glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, s_colour);
+  glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, s_color);
   glEnable(GL_VERTEX_PROGRAM_ARB);
   glEnable(GL_CULL_FACE);
   makeGrid();

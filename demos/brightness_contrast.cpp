@@ -38,10 +38,10 @@ public:
     Image image(width, height);
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
-        glm::vec4 colour = m_picture.at(x, y);
+        glm::vec4 color = m_picture.at(x, y);
         for (int i = 0; i < 3; ++i)
-          colour[i] = std::pow(colour[i], knobs.x) * knobs.y + knobs.z;
-        image.set(x, y, colour);
+          color[i] = std::pow(color[i], knobs.x) * knobs.y + knobs.z;
+        image.set(x, y, color);
       }
     }
     return image;

@@ -69,7 +69,7 @@ private:
 glm::vec4 white(bool on) { return glm::vec4(on ? 1.0f : 0.0f); }
 
 /// Returns the rule as a color: red is the cell's next state, the rest is for display.
-glm::vec4 ruleColour(bool self, int around) {
+glm::vec4 ruleColor(bool self, int around) {
   const int neighbours = around - int(self);
   if (neighbours == 3 && !self)
     return {1.0f, 0.8f, 0.2f, 1.0f}; // born: gold
@@ -112,7 +112,7 @@ public:
   void draw(const Surface &surface, int) override {
     if (m_startAgain)
       restart(surface.width(), surface.height());
-    glReadBuffer(surface.colourBuffer());
+    glReadBuffer(surface.colorBuffer());
     if (m_packed)
       drawPacked(surface.width(), surface.height());
     else
@@ -152,7 +152,7 @@ private:
     Image table(2, 16);
     for (int around = 0; around < table.height; ++around)
       for (int self = 0; self < table.width; ++self)
-        table.set(self, around, ruleColour(self != 0, around));
+        table.set(self, around, ruleColor(self != 0, around));
     m_gl->table.create2d(table, Filter::Nearest, Wrap::Clamp);
   }
   void drawNaive(int width, int height) {
@@ -187,12 +187,12 @@ Image Life::reference(int width, int height, int) {
   m_board->step();
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      glm::vec4 colour = white(m_board->alive(x, y));
+      glm::vec4 color = white(m_board->alive(x, y));
       if (m_packed)
-        colour = ruleColour(before.alive(x, y), before.around(x, y));
+        color = ruleColor(before.alive(x, y), before.around(x, y));
       else
-        colour.y = colour.z = float(m_board->trail(x, y)) / 255.0f;
-      image.set(x, y, colour);
+        color.y = color.z = float(m_board->trail(x, y)) / 255.0f;
+      image.set(x, y, color);
     }
   }
   return image;

@@ -80,17 +80,17 @@ Image makeSurface(int width, int height) {
       const glm::vec3 warm(0.74f, 0.60f, 0.46f), cool(0.52f, 0.56f, 0.62f),
           mortar(0.22f, 0.2f, 0.18f);
       const float top = glm::smoothstep(0.02f, 0.14f, stone.border);
-      const glm::vec3 colour =
+      const glm::vec3 color =
           glm::mix(mortar, glm::mix(warm, cool, glm::smoothstep(0.3f, 0.7f, stone.shade)), top) *
           grain;
-      image.set(x, y, glm::vec4(colour, 0.1f + 0.5f * top));
+      image.set(x, y, glm::vec4(color, 0.1f + 0.5f * top));
     }
   }
   return image;
 }
 
 /// Returns a color of the given hue in [0,1], pale as lamps are.
-glm::vec3 lampColour(float hue) {
+glm::vec3 lampColor(float hue) {
   const glm::vec3 phase = glm::vec3(hue) + glm::vec3(0.0f, 2.0f / 3.0f, 1.0f / 3.0f);
   return 0.65f + 0.35f * glm::cos(6.2831853f * phase);
 }
@@ -98,7 +98,7 @@ glm::vec3 lampColour(float hue) {
 /// The local parameters of lighting.fp.
 struct Lamp {
   glm::vec4 position;
-  glm::vec4 colour;  ///< w: fall-off
+  glm::vec4 color;   ///< w: fall-off
   glm::vec4 ambient; ///< w: shininess
 };
 
@@ -106,15 +106,15 @@ struct Lamp {
 glm::vec4 shade(const Lamp &lamp, glm::vec4 packedNormal, glm::vec4 surface, glm::vec2 place) {
   const glm::vec3 normal = glm::normalize(glm::vec3(packedNormal) * 2.0f - 1.0f);
   const glm::vec3 ray = glm::vec3(lamp.position) - glm::vec3(place, 0.0f);
-  const float fade = 1.0f / (1.0f + lamp.colour.w * glm::dot(ray, ray));
+  const float fade = 1.0f / (1.0f + lamp.color.w * glm::dot(ray, ray));
   const glm::vec3 toLight = glm::normalize(ray);
   const glm::vec3 halfway = glm::normalize(toLight + glm::vec3(0, 0, 1));
   const float diffuse = std::max(glm::dot(normal, toLight), 0.0f);
   const float base = std::max(glm::dot(normal, halfway), 0.0f);
   const float specular = diffuse > 0 ? std::pow(base, lamp.ambient.w) : 0.0f;
   const glm::vec3 matt =
-      (glm::vec3(lamp.colour) * diffuse * fade + glm::vec3(lamp.ambient)) * glm::vec3(surface);
-  return glm::vec4(glm::vec3(lamp.colour) * specular * fade * surface.w + matt, 1.0f);
+      (glm::vec3(lamp.color) * diffuse * fade + glm::vec3(lamp.ambient)) * glm::vec3(surface);
+  return glm::vec4(glm::vec3(lamp.color) * specular * fade * surface.w + matt, 1.0f);
 }
 
 /// Lights each pixel from a normal map: diffuse and specular light of a moving lamp.
@@ -148,7 +148,7 @@ public:
     m_gl->surface.bind(1);
     m_gl->program.use();
     m_gl->program.local(0, now.position);
-    m_gl->program.local(1, now.colour);
+    m_gl->program.local(1, now.color);
     m_gl->program.local(2, now.ambient);
     drawQuad();
     Program::disable();
@@ -176,10 +176,10 @@ private:
   [[nodiscard]] Lamp lamp(int frame) const {
     const float angle = 2.2f + float(frame) * 0.02f;
     const float orbit = m_circles ? 0.22f : 0.0f;
-    const glm::vec3 colour = lampColour(m_hue.value) * m_brightness.value;
+    const glm::vec3 color = lampColor(m_hue.value) * m_brightness.value;
     return {{m_x.value + orbit * std::cos(angle), m_y.value + orbit * std::sin(angle),
              m_height.value, 0},
-            glm::vec4(colour, 9.0f),
+            glm::vec4(color, 9.0f),
             {0.07f, 0.08f, 0.11f, 24.0f}};
   }
 

@@ -15,10 +15,10 @@ glm::vec4 Image::at(int x, int y) const {
   return glm::vec4(p[0], p[1], p[2], p[3]) / 255.0f;
 }
 
-void Image::set(int x, int y, const glm::vec4 &colour) {
+void Image::set(int x, int y, const glm::vec4 &color) {
   std::uint8_t *p = &bytes[4ull * (std::size_t(y) * width + x)];
   for (int i = 0; i < 4; ++i)
-    p[i] = std::uint8_t(std::lround(std::clamp(colour[i], 0.0f, 1.0f) * 255.0f));
+    p[i] = std::uint8_t(std::lround(std::clamp(color[i], 0.0f, 1.0f) * 255.0f));
 }
 
 glm::vec4 Image::sampleLinear(glm::vec2 coordinate) const {

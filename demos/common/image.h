@@ -19,7 +19,7 @@ struct Image {
   /// Returns a pixel in [0,1].
   [[nodiscard]] glm::vec4 at(int x, int y) const;
   /// Stores a color as a framebuffer does: clamped to [0,1], rounded to the nearest of 256 levels.
-  void set(int x, int y, const glm::vec4 &colour);
+  void set(int x, int y, const glm::vec4 &color);
   /// Returns the texel center of (x, y) as a texture coordinate.
   [[nodiscard]] glm::vec2 coordinate(int x, int y) const {
     return {(float(x) + 0.5f) / float(width), (float(y) + 0.5f) / float(height)};

@@ -60,53 +60,52 @@ bool inked(std::string_view text, glm::vec2 at) {
 
 glm::vec3 sky(glm::vec2 p) {
   const float up = glm::clamp((p.y - 0.35f) / 0.65f, 0.0f, 1.0f);
-  glm::vec3 colour =
+  glm::vec3 color =
       glm::mix(glm::vec3(1.0f, 0.78f, 0.55f), glm::vec3(0.16f, 0.36f, 0.74f), std::pow(up, 0.6f));
   const float distance = glm::length(p - glm::vec2(0.72f, 0.74f));
-  colour += glm::vec3(1.0f, 0.75f, 0.35f) * 0.35f * std::exp(-distance * 9.0f);
-  colour =
-      glm::mix(glm::vec3(1.0f, 0.96f, 0.78f), colour, glm::smoothstep(0.083f, 0.087f, distance));
+  color += glm::vec3(1.0f, 0.75f, 0.35f) * 0.35f * std::exp(-distance * 9.0f);
+  color = glm::mix(glm::vec3(1.0f, 0.96f, 0.78f), color, glm::smoothstep(0.083f, 0.087f, distance));
   const float cloud = fractalNoise(p * glm::vec2(5.0f, 12.0f) + 3.0f, 5);
   const float cover = glm::smoothstep(0.5f, 0.8f, cloud) * glm::smoothstep(0.4f, 0.6f, p.y);
-  return glm::mix(colour, glm::vec3(0.97f, 0.95f, 0.96f), 0.85f * cover);
+  return glm::mix(color, glm::vec3(0.97f, 0.95f, 0.96f), 0.85f * cover);
 }
 
 glm::vec3 ground(glm::vec2 p) {
   const float depth = 0.06f / (0.352f - p.y);
   const glm::vec2 tile((p.x - 0.5f) * depth * 40.0f, depth * 9.0f);
   const bool dark = (int(std::floor(tile.x)) + int(std::floor(tile.y))) & 1;
-  const glm::vec3 colour = dark ? glm::vec3(0.16f, 0.22f, 0.16f) : glm::vec3(0.80f, 0.74f, 0.60f);
+  const glm::vec3 color = dark ? glm::vec3(0.16f, 0.22f, 0.16f) : glm::vec3(0.80f, 0.74f, 0.60f);
   // Far tiles are smaller than a pixel and fade into haze.
-  return glm::mix(colour, glm::vec3(0.62f, 0.60f, 0.55f), glm::smoothstep(0.27f, 0.345f, p.y));
+  return glm::mix(color, glm::vec3(0.62f, 0.60f, 0.55f), glm::smoothstep(0.27f, 0.345f, p.y));
 }
 
 /// Colors a white board with dark lettering; returns false outside of it.
-bool board(glm::vec2 p, glm::vec3 &colour) {
+bool board(glm::vec2 p, glm::vec3 &color) {
   const glm::vec2 corner(0.07f, 0.12f), size(0.42f, 0.19f);
   const glm::vec2 inside = (p - corner) / size;
   if (inside.x < 0 || inside.y < 0 || inside.x > 1 || inside.y > 1)
     return false;
   const bool frame = inside.x < 0.02f || inside.y < 0.045f || inside.x > 0.98f || inside.y > 0.955f;
-  colour = frame ? glm::vec3(0.45f, 0.08f, 0.06f) : glm::vec3(0.95f, 0.94f, 0.90f);
+  color = frame ? glm::vec3(0.45f, 0.08f, 0.06f) : glm::vec3(0.95f, 0.94f, 0.90f);
   const glm::vec2 dots = (p - corner) * 156.0f;
   if (inked("!!ARBfp1.0", dots - glm::vec2(3.0f, 18.0f)))
-    colour = glm::vec3(0.10f, 0.10f, 0.14f);
+    color = glm::vec3(0.10f, 0.10f, 0.14f);
   if (inked("ARBITER", dots - glm::vec2(3.0f, 6.0f)))
-    colour = glm::vec3(0.75f, 0.22f, 0.10f);
+    color = glm::vec3(0.75f, 0.22f, 0.10f);
   return true;
 }
 
 glm::vec3 landscape(glm::vec2 p) {
-  glm::vec3 colour = p.y < 0.35f ? ground(p) : sky(p);
+  glm::vec3 color = p.y < 0.35f ? ground(p) : sky(p);
   const float far = 0.40f + 0.16f * fractalNoise({p.x * 4.0f, 7.5f}, 5) * (1.1f - p.x);
   const float near = 0.35f + 0.12f * fractalNoise({p.x * 6.0f + 9.0f, 2.5f}, 5) * (0.2f + p.x);
   if (p.y >= 0.35f && p.y < far)
-    colour = glm::mix(glm::vec3(0.36f, 0.40f, 0.55f), glm::vec3(0.62f, 0.58f, 0.60f),
-                      glm::smoothstep(far, 0.35f, p.y));
+    color = glm::mix(glm::vec3(0.36f, 0.40f, 0.55f), glm::vec3(0.62f, 0.58f, 0.60f),
+                     glm::smoothstep(far, 0.35f, p.y));
   if (p.y >= 0.35f && p.y < near)
-    colour = glm::vec3(0.14f, 0.26f, 0.16f) * (0.75f + 0.5f * fractalNoise(p * 60.0f, 3));
-  board(p, colour);
-  return colour;
+    color = glm::vec3(0.14f, 0.26f, 0.16f) * (0.75f + 0.5f * fractalNoise(p * 60.0f, 3));
+  board(p, color);
+  return color;
 }
 
 } // namespace

@@ -19,7 +19,7 @@ public:
   [[nodiscard]] int width() const { return m_width; }
   [[nodiscard]] int height() const { return m_height; }
   /// Returns the buffer that is drawn to, for glReadBuffer.
-  [[nodiscard]] virtual GLenum colourBuffer() const = 0;
+  [[nodiscard]] virtual GLenum colorBuffer() const = 0;
   /// Shows the frame if there is a window.
   virtual void present() = 0;
   /// Returns null without a window.

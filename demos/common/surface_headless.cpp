@@ -9,7 +9,7 @@ namespace demos {
 
 Image Surface::readPixels() const {
   Image image(m_width, m_height);
-  glReadBuffer(colourBuffer());
+  glReadBuffer(colorBuffer());
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, m_width, m_height, GL_RGBA, GL_UNSIGNED_BYTE, image.bytes.data());
   return image;
@@ -49,7 +49,7 @@ class HeadlessSurface final : public Surface {
 public:
   ~HeadlessSurface() override;
   [[nodiscard]] bool open(int width, int height, bool pbuffer);
-  [[nodiscard]] GLenum colourBuffer() const override {
+  [[nodiscard]] GLenum colorBuffer() const override {
     return m_framebuffer ? GL_COLOR_ATTACHMENT0 : GL_BACK;
   }
   void present() override { glFlush(); }

@@ -31,7 +31,7 @@ public:
     return true;
   }
 
-  [[nodiscard]] GLenum colourBuffer() const override { return GL_BACK; }
+  [[nodiscard]] GLenum colorBuffer() const override { return GL_BACK; }
   void present() override {
     glfwSwapBuffers(m_window);
     glfwPollEvents();

@@ -50,7 +50,7 @@ float truncated(float value) {
   return inRange(std::bit_cast<float>(bits & ~((1u << kDropped) - 1)), kGreatest);
 }
 
-float colour(float value) {
+float color(float value) {
   const float unit = value > 0.0f ? std::min(value, 1.0f) : 0.0f;
   return rounded(std::nearbyint(unit * 4095.0f) * (1.0f / 4095.0f));
 }

@@ -48,7 +48,7 @@ inline constexpr float kLeastNormal = 0x1p-62f;
 /// Rounds an interpolated colour: clamps to [0,1] (NaN is 0), rounds to a multiple of 1/4095, then
 /// applies rounded(). The steps are in singles: times 4095, to the nearest integer (ties to even),
 /// times 1/4095. There is no division, because hosts may be inexact in it.
-[[nodiscard]] float colour(float value);
+[[nodiscard]] float color(float value);
 } // namespace fp24
 
 } // namespace arbiter::fp

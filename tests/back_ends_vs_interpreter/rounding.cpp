@@ -29,7 +29,7 @@ struct Function {
 };
 constexpr Function kFunctions[] = {{"arb_round", fp::fp24::rounded},
                                    {"arb_truncate", fp::fp24::truncated},
-                                   {"arb_colour", fp::fp24::colour}};
+                                   {"arb_colour", fp::fp24::color}};
 
 bool hasExtension(const char *name) {
   const auto *const all = reinterpret_cast<const char *>(glGetString(GL_EXTENSIONS));

@@ -97,14 +97,14 @@ void tick(const Kind &kind, long frames) {
     glMultiTexCoord4fv(GL_TEXTURE0, green);
     glRectf(-1, -1, 1, 1);
     kind.setConstant(other); // no draw uses it
-    std::array<unsigned char, 4> colour{};
-    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, colour.data());
-    if (colour != last)
-      std::printf("%d %d %d\n", colour[0], colour[1], colour[2]);
+    std::array<unsigned char, 4> color{};
+    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, color.data());
+    if (color != last)
+      std::printf("%d %d %d\n", color[0], color[1], color[2]);
     if (!kind.isAsSet())
       std::puts("unlike what was set");
     std::fflush(stdout);
-    last = colour;
+    last = color;
     if (frames < 0)
       usleep(10000);
   }

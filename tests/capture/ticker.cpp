@@ -84,15 +84,15 @@ void tick(const Kind &kind, long frames) {
     glProgramLocalParameter4fARB(kind.target, 0, GLfloat(frame), 0, 0, 0);
     glRectf(-1, -1, 1, 1);
     glProgramLocalParameter4fARB(kind.target, 0, 99, 0, 0, 0);
-    std::array<unsigned char, 4> colour{};
-    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, colour.data());
-    if (colour != last)
-      std::printf("%d %d %d\n", colour[0], colour[1], colour[2]);
+    std::array<unsigned char, 4> color{};
+    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, color.data());
+    if (color != last)
+      std::printf("%d %d %d\n", color[0], color[1], color[2]);
     if (programString(kind) != kind.program || instructions(kind) != counted ||
         glGetError() != GL_NO_ERROR)
       std::puts("unlike what was loaded");
     std::fflush(stdout);
-    last = colour;
+    last = color;
     if (frames < 0)
       usleep(10000);
   }

@@ -85,7 +85,7 @@ float towardZero(double value) {
   return ranged(signedAs(size, parts.negative), kGreatest);
 }
 
-float colour(float value) {
+float color(float value) {
   if (!(value > 0x1p-13f)) // less than half of 1/4095
     return 0;
   if (value >= 1)

@@ -15,7 +15,7 @@ constexpr std::uint32_t kPatterns = 1u << 24;
 /// These implement fp24::rounded, fp24::truncated and fp24::colour by their definition.
 [[nodiscard]] float nearest(double value);
 [[nodiscard]] float towardZero(double value);
-[[nodiscard]] float colour(float value);
+[[nodiscard]] float color(float value);
 
 /// These compute one step: the exact result is rounded to a single, then to 24 bits; with Legacy's
 /// rule of zero.

@@ -104,16 +104,16 @@ Rows formats(const Settings &settings) {
     judge(patterns, value, fp24::truncated(value), value);
   });
   Row rounded{"rounded", 0, 0, 0, {}}, truncated{"truncated", 0, 0, 0, {}},
-      colours{"colour", 0, 0, 0, {}};
+      colors{"colour", 0, 0, 0, {}};
   const auto visit = [&](float value) {
     judge(rounded, value, fp24::rounded(value), nearest(double(value)));
     judge(truncated, value, fp24::truncated(value), towardZero(double(value)));
-    judge(colours, value, fp24::colour(value), colour(value));
+    judge(colors, value, fp24::color(value), color(value));
   };
   turningPoints(visit);
   each(settings, "all singles", std::uint64_t(1) << 32, settings.stride,
        [&](std::uint64_t i) { visit(single(i)); });
-  return {patterns, rounded, truncated, colours};
+  return {patterns, rounded, truncated, colors};
 }
 
 Rows unary(const Settings &settings) {
@@ -217,7 +217,7 @@ private:
       else
         m_attributes.push_back(given);
       for (float &value : held)
-        value = kind == 0 ? colour(value) : nearest(double(value));
+        value = kind == 0 ? color(value) : nearest(double(value));
     } else {
       if (kind == 2) {
         source = builder.constant(given[0], given[1], given[2], given[3]);

@@ -191,13 +191,13 @@ private:
 
   /// True if the picture has several colors: an empty one would prove nothing.
   static bool isAPicture(const scene::Picture &picture) {
-    std::set<std::uint32_t> colours;
+    std::set<std::uint32_t> colors;
     for (std::size_t i = 0; i < picture.bytes.size(); i += 4) {
-      std::uint32_t colour = 0;
-      std::memcpy(&colour, &picture.bytes[i], 4);
-      colours.insert(colour);
+      std::uint32_t color = 0;
+      std::memcpy(&color, &picture.bytes[i], 4);
+      colors.insert(color);
     }
-    return colours.size() > 1;
+    return colors.size() > 1;
   }
 
   static void keep(const Case &each, const std::string &way, const scene::Picture &drawn,

@@ -105,7 +105,7 @@ Vertex VertexStage::run(const scene::MeshVertex &vertex) const {
     result.clip = m_toClip * glm::vec4(vertex.position, 1.0f);
     for (unsigned set = 0; set < 8; ++set)
       result.varyings[set] = coordinate(vertex, set);
-    result.varyings[kColour] = {vertex.st, 0.0f, 1.0f};
+    result.varyings[kColor] = {vertex.st, 0.0f, 1.0f};
     return result;
   }
   const ir::Program &code = m_program->code();
@@ -125,7 +125,7 @@ Vertex VertexStage::run(const scene::MeshVertex &vertex) const {
     else if (code.outputs[i].kind == OutputKind::TexCoord)
       result.varyings[code.outputs[i].index] = value;
     else if (code.outputs[i].kind == OutputKind::FrontPrimary)
-      result.varyings[kColour] = value;
+      result.varyings[kColor] = value;
   }
   return result;
 }
@@ -144,7 +144,7 @@ std::array<bool, kVaryings> FragmentStage::used() const {
     if (attribute.kind == AttributeKind::TexCoord)
       used[attribute.index] = true;
     else if (attribute.kind == AttributeKind::ColorPrimary)
-      used[kColour] = true;
+      used[kColor] = true;
   return used;
 }
 
@@ -160,7 +160,7 @@ ir::Vec4 FragmentStage::attribute(const Fragment &fragment, const ir::Attribute 
   case AttributeKind::TexCoord:
     return plain(fragment.varyings[attribute.index]);
   case AttributeKind::ColorPrimary:
-    return plain(fragment.varyings[kColour]);
+    return plain(fragment.varyings[kColor]);
   case AttributeKind::Position:
     return {float(fragment.x) + 0.5f, float(fragment.y) + 0.5f, float(fragment.depth),
             float(fragment.inverseW)};

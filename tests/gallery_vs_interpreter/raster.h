@@ -9,7 +9,7 @@
 namespace gallery {
 
 inline constexpr std::size_t kVaryings = 9; ///< texture coordinates 0 to 7 and the primary color
-inline constexpr std::size_t kColour = 8;
+inline constexpr std::size_t kColor = 8;
 
 struct Vertex {
   glm::dvec4 clip{0.0};

@@ -33,7 +33,7 @@ template <typename T> T orFail(arbiter::Result<T, scene::TextureError> result) {
 }
 
 scene::Image imageOf(const Surface &surface) {
-  return scene::Image(scene::Picture{surface.width, surface.height, surface.colour});
+  return scene::Image(scene::Picture{surface.width, surface.height, surface.color});
 }
 
 /// The fixed functions of one pass after the fragment program.
@@ -68,14 +68,14 @@ public:
     return true;
   }
 
-  [[nodiscard]] bool writesColour() const { return m_state.colourWrite; }
+  [[nodiscard]] bool writesColor() const { return m_state.colorWrite; }
 
-  void write(const Fragment &fragment, const glm::vec4 &colour) {
-    std::uint8_t *const there = &m_surface.colour[4 * index(fragment)];
+  void write(const Fragment &fragment, const glm::vec4 &color) {
+    std::uint8_t *const there = &m_surface.color[4 * index(fragment)];
     glm::vec4 old;
     for (int i = 0; i < 4; ++i)
       old[i] = float(there[i]) / 255.0f;
-    const glm::vec4 mixed = blended(glm::clamp(colour, 0.0f, 1.0f), old);
+    const glm::vec4 mixed = blended(glm::clamp(color, 0.0f, 1.0f), old);
     for (int i = 0; i < 4; ++i)
       there[i] = level(mixed[i]);
   }
@@ -84,20 +84,20 @@ private:
   [[nodiscard]] std::size_t index(const Fragment &fragment) const {
     return std::size_t(fragment.y) * std::size_t(m_surface.width) + std::size_t(fragment.x);
   }
-  [[nodiscard]] glm::vec4 blended(const glm::vec4 &colour, const glm::vec4 &old) const {
+  [[nodiscard]] glm::vec4 blended(const glm::vec4 &color, const glm::vec4 &old) const {
     switch (m_blend) {
     case scene::Blend::Off:
-      return colour;
+      return color;
     case scene::Blend::Alpha:
-      return colour * colour.a + old * (1 - colour.a);
+      return color * color.a + old * (1 - color.a);
     case scene::Blend::Premultiplied:
-      return colour + old * (1 - colour.a);
+      return color + old * (1 - color.a);
     case scene::Blend::Add:
-      return colour + old;
+      return color + old;
     case scene::Blend::Multiply:
-      return colour * old;
+      return color * old;
     }
-    return colour;
+    return color;
   }
 
   Surface &m_surface;
@@ -108,8 +108,8 @@ private:
 };
 
 void clear(Surface &surface, const scene::State &state) {
-  for (std::size_t i = 0; i < surface.colour.size(); ++i)
-    surface.colour[i] = level(float(state.clear[i % 4].value));
+  for (std::size_t i = 0; i < surface.color.size(); ++i)
+    surface.color[i] = level(float(state.clear[i % 4].value));
   std::fill(surface.depth.begin(), surface.depth.end(), std::uint32_t(kDepths));
   std::fill(surface.stencil.begin(), surface.stencil.end(), std::uint8_t(0));
 }
@@ -117,7 +117,7 @@ void clear(Surface &surface, const scene::State &state) {
 } // namespace
 
 Surface::Surface(int columns, int rows)
-    : width(columns), height(rows), colour(4 * std::size_t(columns) * std::size_t(rows)),
+    : width(columns), height(rows), color(4 * std::size_t(columns) * std::size_t(rows)),
       depth(std::size_t(columns) * std::size_t(rows)), stencil(depth.size()) {}
 
 Reference::Reference(const scene::Document &document) : m_document(document) {
@@ -176,7 +176,7 @@ void Reference::drawPass(std::size_t index, double seconds) {
     if (raster.culled(fragment.front))
       return;
     const auto killed = kills ? fragmentStage.run(fragment) : std::optional(glm::vec4(0.0f));
-    if (!killed || !raster.passes(fragment) || !raster.writesColour())
+    if (!killed || !raster.passes(fragment) || !raster.writesColor())
       return;
     raster.write(fragment, kills ? *killed : *fragmentStage.run(fragment));
   };
@@ -197,7 +197,7 @@ void Reference::draw(int frame) {
 
 scene::Picture Reference::picture() const {
   const Surface &surface = m_targets.at("");
-  return {surface.width, surface.height, surface.colour};
+  return {surface.width, surface.height, surface.color};
 }
 
 } // namespace gallery

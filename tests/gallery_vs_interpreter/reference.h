@@ -14,7 +14,7 @@ struct Surface {
   Surface(int columns, int rows);
 
   int width = 0, height = 0;
-  std::vector<std::uint8_t> colour; ///< RGBA, row 0 at the bottom
+  std::vector<std::uint8_t> color;  ///< RGBA, row 0 at the bottom
   std::vector<std::uint32_t> depth; ///< 24 bits
   std::vector<std::uint8_t> stencil;
 };

@@ -79,16 +79,16 @@ glm::vec4 Texture::texel(std::size_t face, int x, int y) const {
 }
 
 ir::Vec4 sample(const Texture &texture, const ir::Sample &at) {
-  glm::vec4 colour;
+  glm::vec4 color;
   if (at.target == ir::TexTarget::Cube) {
     const Faced faced = facedBy(at.coordinate);
-    colour = filtered(texture, faced.face, faced.s, faced.t, Wrap::Edge);
+    color = filtered(texture, faced.face, faced.s, faced.t, Wrap::Edge);
   } else if (at.target == ir::TexTarget::Tex1D) {
-    colour = filtered(texture, 0, at.coordinate[0], 0.5f, texture.wrap);
+    color = filtered(texture, 0, at.coordinate[0], 0.5f, texture.wrap);
   } else {
-    colour = filtered(texture, 0, at.coordinate[0], at.coordinate[1], texture.wrap);
+    color = filtered(texture, 0, at.coordinate[0], at.coordinate[1], texture.wrap);
   }
-  return {colour.x, colour.y, colour.z, colour.w};
+  return {color.x, color.y, color.z, color.w};
 }
 
 } // namespace gallery

@@ -148,7 +148,7 @@ TEST_F(ListStatePrimitives, DrawAsWithoutAList) {
 /// Mesa 22.3.6 omits a material that the list has set before, even if a color came between. It also
 /// applies a material late, over the color that COLOR_MATERIAL, enabled since, has set. The
 /// pictures are therefore only equal if the host draws none of them.
-TEST_F(ListStatePrimitives, ColoursThatAreMaterialsComeBetween) {
+TEST_F(ListStatePrimitives, ColorsThatAreMaterialsComeBetween) {
   if (!rasterizerDrawsAll())
     GTEST_SKIP() << "the host, whose materials come late, may draw (ARBITER_BACKEND is not swrast)";
   for (unsigned seed = 100; seed < 160 && !HasFailure(); ++seed)

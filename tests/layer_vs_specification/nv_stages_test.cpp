@@ -35,13 +35,13 @@ protected:
     glEnable(kFragment);
     m_vertex = makeProgram(choosing(), kVertex);
     m_fragment = makeProgram(kThroughFp);
-    setColour(1, 0, 0);
+    setColor(1, 0, 0);
     choose(true);
     ASSERT_EQ(glGetError(), GLenum(GL_NO_ERROR)) << glGetString(GL_PROGRAM_ERROR_STRING_ARB);
   }
 
   /// Sets the color that the program chooses instead of blue.
-  static void setColour(GLfloat r, GLfloat g, GLfloat b) {
+  static void setColor(GLfloat r, GLfloat g, GLfloat b) {
     glProgramEnvParameter4fARB(kVertex, 1, r, g, b, 1);
   }
   static void choose(bool other) {
@@ -63,10 +63,10 @@ TEST_F(NvStages, ParametersOfEitherStage) {
   glProgramLocalParameter4fARB(kFragment, 0, 0, 0, 0, 0);
   EXPECT_EQ(drawn(), kBluePixel);
   choose(true);
-  setColour(0, 0, 1);
+  setColor(0, 0, 1);
   EXPECT_EQ(drawn(), kBluePixel);
   glBindProgramARB(kFragment, m_fragment);
-  setColour(0, 1, 0);
+  setColor(0, 1, 0);
   EXPECT_EQ(drawn(), kGreenPixel);
   glDeleteProgramsARB(1, &scaled);
   EXPECT_EQ(drawn(), kGreenPixel);
@@ -235,7 +235,7 @@ TEST_F(NvStages, FeedbackAndTheRasterPosition) {
   ASSERT_EQ(glRenderMode(GL_RENDER), 8);
   EXPECT_EQ(buffer[4], 1.0f) << "the program's colour";
   EXPECT_EQ(drawn(), kRedPixel);
-  setColour(0, 1, 0);
+  setColor(0, 1, 0);
   glRasterPos2f(0.5f, 0);
   GLfloat color[4] = {}, position[4] = {};
   glGetFloatv(GL_CURRENT_RASTER_COLOR, color);
@@ -300,7 +300,7 @@ TEST_F(NvStages, ContextsOfAShareGroup) {
     glEnable(kFragment);
     glBindProgramARB(kVertex, m_vertex);
     glBindProgramARB(kFragment, m_fragment);
-    setColour(0, 1, 0);
+    setColor(0, 1, 0);
     choose(true);
     api::load(kThroughFp);
     EXPECT_EQ(drawn(), kGreenPixel);

@@ -277,7 +277,7 @@ gallery::Vertex shadeVertex(const MeshVertex &vertex, float height) {
   result.varyings[0] = glm::vec4(vertex.texture, 0, 1);
   result.varyings[1] = {glm::dot(vertex.tangent, light) * 0.5f + 0.5f,
                         glm::dot(vertex.tangent, half) * 0.5f + 0.5f, 0, 1};
-  result.varyings[gallery::kColour] = glm::vec4(glm::vec3(height * 0.65f + 0.35f), height);
+  result.varyings[gallery::kColor] = glm::vec4(glm::vec3(height * 0.65f + 0.35f), height);
   return result;
 }
 
@@ -311,13 +311,13 @@ void drawMesh(Canvas &canvas, const Mesh &mesh, const float *height) {
   for (const MeshVertex &vertex : mesh.vertices)
     shaded.push_back(shadeVertex(vertex, height ? *height : vertex.extra.x));
   std::array<bool, gallery::kVaryings> used{};
-  used[0] = used[1] = used[gallery::kColour] = true;
+  used[0] = used[1] = used[gallery::kColor] = true;
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
     gallery::rasterize(shaded[mesh.indices[i]], shaded[mesh.indices[i + 1]],
                        shaded[mesh.indices[i + 2]], canvas.size, canvas.size, used,
                        [&](const gallery::Fragment &fragment) {
                          const auto at = std::size_t(fragment.y * canvas.size + fragment.x);
-                         const glm::vec4 &shade = fragment.varyings[gallery::kColour];
+                         const glm::vec4 &shade = fragment.varyings[gallery::kColor];
                          const glm::vec4 hair = hairAt(fragment.varyings[0]);
                          if (fragment.depth > canvas.depths[at])
                            return;

@@ -278,7 +278,7 @@ Shaded shade(const glm::mat4 &toClip) {
     result.clip = glm::dvec4(toClip * place);
     result.varyings[0] = matrix * place;
     const float lit = std::max(glm::dot(vertex.normal, g_world.light), 0.0f) * kDiffuse;
-    result.varyings[gallery::kColour] = glm::vec4(lit, lit, lit, 1);
+    result.varyings[gallery::kColor] = glm::vec4(lit, lit, lit, 1);
     shaded.push_back(result);
   }
   return shaded;
@@ -286,7 +286,7 @@ Shaded shade(const glm::mat4 &toClip) {
 
 template <typename Use> void each(const Shaded &shaded, int size, const Use &use) {
   std::array<bool, gallery::kVaryings> used{};
-  used[0] = used[gallery::kColour] = true;
+  used[0] = used[gallery::kColor] = true;
   const std::vector<std::uint32_t> &indices = g_world.mesh.indices;
   for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
     gallery::rasterize(shaded[indices[i]], shaded[indices[i + 1]], shaded[indices[i + 2]], size,
@@ -311,7 +311,7 @@ Canvas reference(int size) {
     };
     const double nearest = map.depths[std::size_t(texel(place.y) * size + texel(place.x))];
     const bool lit = double(place.z) <= nearest + 0.02; // stands for the offset of the map
-    const glm::vec3 color = lit ? glm::vec3(fragment.varyings[gallery::kColour]) : glm::vec3(0);
+    const glm::vec3 color = lit ? glm::vec3(fragment.varyings[gallery::kColor]) : glm::vec3(0);
     canvas.colors[at] = glm::vec4(color + kAmbient, 1);
   });
   return canvas;

@@ -177,7 +177,7 @@ gallery::Vertex shadeVertex(const MeshVertex &vertex) {
   gallery::Vertex result;
   result.clip = glm::dvec4(g_tube.projection * (g_tube.modelView * place));
   const float lit = std::max(glm::dot(normal, glm::vec3(g_tube.light)), 0.0f) * 0.7f + 0.3f;
-  result.varyings[gallery::kColour] = glm::vec4(kColor * lit, 1);
+  result.varyings[gallery::kColor] = glm::vec4(kColor * lit, 1);
   return result;
 }
 
@@ -187,7 +187,7 @@ Canvas reference(int size) {
   for (const MeshVertex &vertex : g_tube.mesh.vertices)
     shaded.push_back(shadeVertex(vertex));
   std::array<bool, gallery::kVaryings> used{};
-  used[gallery::kColour] = true;
+  used[gallery::kColor] = true;
   const std::vector<std::uint32_t> &indices = g_tube.mesh.indices;
   for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
     gallery::rasterize(shaded[indices[i]], shaded[indices[i + 1]], shaded[indices[i + 2]], size,
@@ -196,7 +196,7 @@ Canvas reference(int size) {
                          if (fragment.depth >= canvas.depths[at])
                            return;
                          canvas.depths[at] = fragment.depth;
-                         canvas.colors[at] = fragment.varyings[gallery::kColour];
+                         canvas.colors[at] = fragment.varyings[gallery::kColor];
                        });
   return canvas;
 }

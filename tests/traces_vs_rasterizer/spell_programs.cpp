@@ -46,7 +46,7 @@ std::string panelOf(const ir::Program &program, std::uint64_t seed) {
 }
 
 /// True if a program writes the first color, which the verdict is about.
-bool writesFirstColour(const ir::Program &program) {
+bool writesFirstColor(const ir::Program &program) {
   return std::any_of(program.outputs.begin(), program.outputs.end(), [](const ir::Output &output) {
     return output.kind == ir::OutputKind::Color && output.index == 0;
   });
@@ -58,7 +58,7 @@ std::string documentOf(std::uint64_t seed) {
   options.maxInstructions = 40;
   options.unwritten = seed % 4 == 2;
   ir::Program program = testing::randomProgram(seed, options);
-  for (std::uint64_t other = seed; !writesFirstColour(program);)
+  for (std::uint64_t other = seed; !writesFirstColor(program);)
     program = testing::randomProgram(other += 1000003, options);
   std::string text = testing::spell(program, seed);
   text.insert(std::string("!!ARBfp1.0").size(), panelOf(program, seed));

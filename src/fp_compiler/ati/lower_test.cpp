@@ -217,7 +217,7 @@ TEST(Lower, ModifiersApplyInTheOrderOfTheSpecification) {
   EXPECT_TRUE(same(resultOf(single(pair), {0.25f, 0.5f, 1.0f, 9.0f}), {-0.5f, 0.0f, 1.0f, 0.0f}));
 }
 
-TEST(Lower, AlphaReadsWhatWasThereBeforeTheColourWrite) {
+TEST(Lower, AlphaReadsWhatWasThereBeforeTheColorWrite) {
   Pair pair;
   pair.color = Operation();
   pair.color->arguments[0] = {Source::One, 0};
@@ -252,7 +252,7 @@ TEST(Lower, ConditionsAtTheirThresholds) {
   EXPECT_TRUE(same(resultOf(single(pair), {0.0f, -0.0f, -1e-20f, 0.0f}), {1, 1, 0, 0}));
 }
 
-TEST(Lower, ADotOfAlphaIsTheColoursUnderItsOwnModifiers) {
+TEST(Lower, ADotOfAlphaIsTheColorsUnderItsOwnModifiers) {
   Pair pair;
   pair.color = Operation();
   pair.color->op = Op::Dot3;

@@ -46,7 +46,7 @@ TEST(Quirks, ShortVectors) {
   loads(wrap("TEMP t;\nADD t, {0.25,0.25,0.25}, {0.859375};\nMOV result.color, t;"));
 }
 
-TEST(Quirks, ColourLettersEverywhere) {
+TEST(Quirks, ColorLettersEverywhere) {
   loads(wrap("TEMP t;\nMOV t.rgb, fragment.color.bgra;\nMOV t.a, t.r;\nRCP t.g, t.b;"));
 }
 

@@ -47,7 +47,7 @@ TEST(Fp24, RegistersAreReadEachInItsWay) {
             truncated);
 }
 
-TEST(Fp24, ColoursHaveTwelveBits) {
+TEST(Fp24, ColorsHaveTwelveBits) {
   for (const AttributeKind kind : {AttributeKind::ColorPrimary, AttributeKind::ColorSecondary}) {
     Builder b;
     b.op(Opcode::Mov, b.color(), {b.attribute(kind)});
@@ -151,7 +151,7 @@ TEST(Fp24, FogIsTheInstructionsThatItCosts) {
   }
 }
 
-TEST(Fp24, ColourSumTakesTheTwelveBits) {
+TEST(Fp24, ColorSumTakesTheTwelveBits) {
   Builder b(Language::AtiFragment);
   b.options().colorSum = true;
   b.op(Opcode::Mov, b.color(), {b.constant(0.25f)});

@@ -47,7 +47,7 @@ void Machine::step(std::size_t index) {
 Vec4 Machine::read(Vec4 value, AttributeKind kind) const {
   const bool color = kind == AttributeKind::ColorPrimary || kind == AttributeKind::ColorSecondary;
   for (float &component : value)
-    component = color && m_numerics == Numerics::Fp24 ? fp24::colour(component)
+    component = color && m_numerics == Numerics::Fp24 ? fp24::color(component)
                                                       : held(component, m_numerics);
   return value;
 }

@@ -174,14 +174,14 @@ void defineColors(Context &context, GLenum target, GLint level, GLint internalfo
 }
 
 /// Executes a TexImage. `colours` handles one of colours, and is told the host's internal format.
-template <typename Colours>
+template <typename Colors>
 void defineImage(Context &context, const ComponentImage &image, GLint internalformat, GLenum type,
-                 const void *pixels, Colours colours) {
+                 const void *pixels, Colors colors) {
   if (isComponents(context, image, type, pixels))
     return;
   defineColors(context, image.target, image.level, internalformat, [&](GLint there) {
     if (!isImaged(context, image, there, type, pixels))
-      colours(there);
+      colors(there);
   });
 }
 

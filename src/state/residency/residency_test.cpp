@@ -170,7 +170,7 @@ TEST_F(Residency, ClearIsInMemoryWhereTheShadowIsValid) {
   EXPECT_EQ(hostPixel(6, 5), 0xFF00FF00u);
 }
 
-TEST_F(Residency, AClearOfDepthsThatTheHostHasMovesNoColours) {
+TEST_F(Residency, AClearOfDepthsThatTheHostHasMovesNoColors) {
   drawAll(0x10203040);
   const ResidencyStatistics before = statistics();
   gl().ClearDepth(0.25);

@@ -37,8 +37,8 @@ void addActor(Scene &scene, float x, float y, ClutterContent *content, ClutterEf
   if (content) {
     clutter_actor_set_content(actor, content);
   } else {
-    const ClutterColor colour = {200, 90, 40, 160};
-    clutter_actor_set_background_color(actor, &colour);
+    const ClutterColor color = {200, 90, 40, 160};
+    clutter_actor_set_background_color(actor, &color);
   }
   if (effect)
     clutter_actor_add_effect(actor, effect);

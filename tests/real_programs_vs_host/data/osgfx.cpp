@@ -56,13 +56,13 @@ osg::ref_ptr<osg::Geode> makeSphere() {
 }
 
 /// Makes a texture of 64x64 texels; colour(x, y) returns red, green and blue from 0 to 1.
-template <typename Colour> osg::ref_ptr<osg::Texture2D> makeTexture(Colour colour) {
+template <typename Color> osg::ref_ptr<osg::Texture2D> makeTexture(Color color) {
   constexpr int kSide = 64;
   osg::ref_ptr<osg::Image> image = new osg::Image;
   image->allocateImage(kSide, kSide, 1, GL_RGB, GL_UNSIGNED_BYTE);
   for (int y = 0; y < kSide; ++y) {
     for (int x = 0; x < kSide; ++x) {
-      const osg::Vec3 value = colour(x, y);
+      const osg::Vec3 value = color(x, y);
       for (int c = 0; c < 3; ++c) {
         image->data(x, y)[c] = static_cast<unsigned char>(255 * value[c] + 0.5F);
       }
@@ -82,7 +82,7 @@ osg::ref_ptr<osg::Texture2D> makeNormals() {
   });
 }
 
-osg::ref_ptr<osg::Texture2D> makeColours() {
+osg::ref_ptr<osg::Texture2D> makeColors() {
   return makeTexture([](int x, int y) {
     return (x / 8 + y / 8) % 2 ? osg::Vec3(0.9F, 0.7F, 0.3F) : osg::Vec3(0.3F, 0.5F, 0.8F);
   });
@@ -91,7 +91,7 @@ osg::ref_ptr<osg::Texture2D> makeColours() {
 osg::ref_ptr<osgFX::BumpMapping> makeBumps(osg::Node *node) {
   osg::ref_ptr<osgFX::BumpMapping> effect = new osgFX::BumpMapping;
   effect->setOverrideNormalMapTexture(makeNormals());
-  effect->setOverrideDiffuseTexture(makeColours());
+  effect->setOverrideDiffuseTexture(makeColors());
   effect->setLightNumber(0);
   effect->addChild(node);
   effect->prepareChildren();

@@ -14,7 +14,7 @@ constexpr DWORD kFormat = D3DFVF_XYZ | D3DFVF_DIFFUSE | D3DFVF_TEX2;
 
 struct Vertex {
   float x, y, z;
-  DWORD colour;
+  DWORD color;
   float u0, v0, u1, v1;
 };
 
@@ -37,7 +37,7 @@ constexpr DWORD kMixture[] = {
     0xB0E40000, 0xB0E40001, 0x04,       0x800F0000, 0x80E40000, 0x90E40000, 0xA0E40001, 0x0000FFFF};
 
 struct Stage {
-  DWORD colour, first, second;
+  DWORD color, first, second;
 };
 constexpr Stage kStages[] = {{D3DTOP_MODULATE, D3DTA_TEXTURE, D3DTA_DIFFUSE},
                              {D3DTOP_ADDSIGNED, D3DTA_TEXTURE, D3DTA_DIFFUSE},
@@ -85,7 +85,7 @@ void drawFrame(IDirect3DDevice8 *device, int frame, DWORD product, DWORD mixture
   int tile = 0;
   device->SetPixelShader(0);
   for (const Stage &stage : kStages) {
-    device->SetTextureStageState(0, D3DTSS_COLOROP, stage.colour);
+    device->SetTextureStageState(0, D3DTSS_COLOROP, stage.color);
     device->SetTextureStageState(0, D3DTSS_COLORARG1, stage.first);
     device->SetTextureStageState(0, D3DTSS_COLORARG2, stage.second);
     drawTile(device, tile++);

@@ -151,10 +151,10 @@ int main(int argc, char **argv) {
   if (parser.positionalArguments().size() > 1)
     return fail(QObject::tr("one document at a time"));
   const QSettings settings;
-  const QString colours = parser.isSet(options.scheme)
-                              ? parser.value(options.scheme)
-                              : settings.value(QStringLiteral("scheme")).toString();
-  applyScheme(application, schemeNamed(colours));
+  const QString colors = parser.isSet(options.scheme)
+                             ? parser.value(options.scheme)
+                             : settings.value(QStringLiteral("scheme")).toString();
+  applyScheme(application, schemeNamed(colors));
   MainWindow window(Places::standard());
   return show(window, parser, options);
 }

@@ -10,8 +10,8 @@ namespace arbiter::builder {
 
 namespace {
 
-Colours lightColours() {
-  Colours c;
+Colors lightColors() {
+  Colors c;
   c.background = QColor(0xffffff);
   c.text = QColor(0x1b1f24);
   c.dim = QColor(0x5b646f);
@@ -34,8 +34,8 @@ Colours lightColours() {
   return c;
 }
 
-Colours darkColours() {
-  Colours c;
+Colors darkColors() {
+  Colors c;
   c.dark = true;
   c.background = QColor(0x1b1e23);
   c.text = QColor(0xe3e6ea);
@@ -59,12 +59,12 @@ Colours darkColours() {
   return c;
 }
 
-Colours &current() {
-  static Colours all = lightColours();
+Colors &current() {
+  static Colors all = lightColors();
   return all;
 }
 
-QPalette paletteOf(const Colours &c) {
+QPalette paletteOf(const Colors &c) {
   QPalette palette;
   const QColor window = c.dark ? QColor(0x25292f) : QColor(0xf0f2f4);
   const QColor button = c.dark ? QColor(0x32373f) : QColor(0xe4e7eb);
@@ -99,12 +99,12 @@ double luminance(const QColor &color) {
 
 } // namespace
 
-const Colours &colours() { return current(); }
+const Colors &colors() { return current(); }
 
 void applyScheme(QApplication &application, Scheme scheme) {
   static const bool desktopIsDark = application.palette().color(QPalette::Window).lightness() < 128;
   const bool dark = scheme == Scheme::Dark || (scheme == Scheme::System && desktopIsDark);
-  current() = dark ? darkColours() : lightColours();
+  current() = dark ? darkColors() : lightColors();
   application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   application.setPalette(paletteOf(current()));
 }

@@ -10,7 +10,7 @@ enum class Scheme { System, Light, Dark };
 
 /// Colors that Qt's palette lacks. Texts have a contrast of at least 4.5 on the editor's
 /// background, in both schemes; view/window/window_test.cpp checks it.
-struct Colours {
+struct Colors {
   bool dark = false;
   QColor background, text, dim; ///< of the editor
   QColor line;                  ///< the cursor's line
@@ -20,7 +20,7 @@ struct Colours {
   QColor good, amber; ///< gauges within the limit and near it; `error` is over it
 };
 
-[[nodiscard]] const Colours &colours();
+[[nodiscard]] const Colors &colors();
 
 /// Sets style, palette and colors. System is dark if the desktop's palette is.
 void applyScheme(QApplication &application, Scheme scheme);

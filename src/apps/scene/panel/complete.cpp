@@ -102,7 +102,7 @@ private:
     case Setting::Stencil:
       one<Stencil>();
       break;
-    case Setting::Colour:
+    case Setting::Color:
       onOff();
       break;
     case Setting::Coordinate:

@@ -68,7 +68,7 @@ struct State {
   bool depthWrite = true;
   std::optional<Chosen<Cull>> cull;
   std::optional<Chosen<Stencil>> stencil;
-  bool colourWrite = true;
+  bool colorWrite = true;
   std::array<Number, 4> clear = {};
   bool keep = false;
 };
@@ -103,7 +103,7 @@ struct Parameter {
   Name target;                ///< of Camera: the pass whose camera it is
   bool hasRange = false;
   Number low{0, {}}, high{1, {}};
-  bool colour = false; ///< edited as a color
+  bool color = false; ///< edited as a color
   std::optional<Animation> animation;
   fp::Span span; ///< the whole clause
 };

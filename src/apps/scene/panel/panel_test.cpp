@@ -81,7 +81,7 @@ TEST(Panel, ReadsEveryKindOfLine) {
   EXPECT_EQ(panel.title.text, "A scene");
   EXPECT_EQ(panel.state.depth->value, Depth::Lequal);
   EXPECT_FALSE(panel.state.depthWrite);
-  EXPECT_FALSE(panel.state.colourWrite);
+  EXPECT_FALSE(panel.state.colorWrite);
   EXPECT_TRUE(panel.state.keep);
   EXPECT_EQ(panel.target->name.text, "shadow");
   ASSERT_EQ(panel.mesh.size(), 2u);
@@ -95,7 +95,7 @@ TEST(Panel, ReadsEveryKindOfLine) {
   EXPECT_EQ(panel.parameters[0].values[0].value, 40);
   EXPECT_EQ(panel.parameters[1].target.text, "shadow");
   EXPECT_EQ(panel.parameters[2].kind.value, ValueKind::Eye);
-  EXPECT_TRUE(panel.parameters[3].colour);
+  EXPECT_TRUE(panel.parameters[3].color);
   EXPECT_EQ(panel.textures[0].source.of[0].files[0].text, "my heights.png");
   EXPECT_EQ(panel.textures[2].source.files.size(), 6u);
   EXPECT_TRUE(panel.textures[3].compare);

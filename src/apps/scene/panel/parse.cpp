@@ -184,8 +184,8 @@ bool readSetting(Reader &reader, Setting setting, std::uint32_t begin) {
     return readState(reader, "kind of face", panel.state.cull);
   case Setting::Stencil:
     return readState(reader, "use of the stencil buffer", panel.state.stencil);
-  case Setting::Colour:
-    return reader.onOff(panel.state.colourWrite);
+  case Setting::Color:
+    return reader.onOff(panel.state.colorWrite);
   case Setting::Clear:
     return readClear(reader);
   case Setting::Keep:

@@ -31,10 +31,10 @@ bool readIndex(Reader &reader, Parameter &parameter) {
 bool readMask(Reader &reader, Parameter &parameter) {
   if (!reader.at(TokenKind::Word) || reader.peek().text.front() != '.')
     return true;
-  constexpr std::string_view kComponents = "xyzw", kColours = "rgba";
+  constexpr std::string_view kComponents = "xyzw", kColors = "rgba";
   const std::string_view letters = reader.peek().text.substr(1);
   const std::string_view all =
-      letters.find_first_of(kColours) == std::string_view::npos ? kComponents : kColours;
+      letters.find_first_of(kColors) == std::string_view::npos ? kComponents : kColors;
   parameter.mask = {};
   std::size_t next = 0;
   for (const char letter : letters) {
@@ -154,7 +154,7 @@ bool readParameter(Reader &reader, Setting space, std::uint32_t begin) {
     if (reader.acceptWord("in") && (found = true) && !readRange(reader, parameter))
       return false;
     if (reader.acceptWord("colour"))
-      parameter.colour = found = true;
+      parameter.color = found = true;
     if (reader.acceptWord("animate") && (found = true) && !readAnimation(reader, parameter))
       return false;
   }

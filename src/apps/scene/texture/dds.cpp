@@ -97,8 +97,8 @@ private:
     m_format.bytes = bits / 8;
     m_format.isGrey = flags & kLuminance;
     const bool alpha = flags & (kHasAlpha | kAlphaAlone);
-    const bool colours = flags & (kRgb | kLuminance);
-    m_format.masks = {colours ? at(92) : 0, at(96), at(100), alpha ? at(104) : 0};
+    const bool colors = flags & (kRgb | kLuminance);
+    m_format.masks = {colors ? at(92) : 0, at(96), at(100), alpha ? at(104) : 0};
     if (!(flags & kRgb))
       m_format.masks[1] = m_format.masks[2] = 0;
     for (const std::uint32_t mask : m_format.masks)
@@ -197,8 +197,8 @@ private:
       }
   }
 
-  static void put(Image &image, std::size_t texel, const Rgba8 &colour) {
-    std::copy(colour.begin(), colour.end(), image.texels.begin() + std::ptrdiff_t(4 * texel));
+  static void put(Image &image, std::size_t texel, const Rgba8 &color) {
+    std::copy(color.begin(), color.end(), image.texels.begin() + std::ptrdiff_t(4 * texel));
   }
 
   std::string_view m_bytes;

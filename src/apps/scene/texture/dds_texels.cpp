@@ -15,7 +15,7 @@ std::uint32_t little(const std::uint8_t *bytes, unsigned count) {
 }
 
 /// Expands 5, 6 and 5 bits to 8 bits each.
-Rgba8 colourOf(std::uint32_t bits) {
+Rgba8 colorOf(std::uint32_t bits) {
   const std::uint32_t red = bits >> 11 & 31, green = bits >> 5 & 63, blue = bits & 31;
   return {std::uint8_t(red << 3 | red >> 2), std::uint8_t(green << 2 | green >> 4),
           std::uint8_t(blue << 3 | blue >> 2), 255};
@@ -36,9 +36,9 @@ Rgba8 mixed(const Rgba8 &a, unsigned parts, const Rgba8 &b, unsigned others) {
 
 /// Decodes two colors and two in between. If the first is not greater, BC1 has one color in between
 /// and transparent black.
-void decodeColours(const std::uint8_t *block, bool mayBeClear, std::array<Rgba8, 16> &texels) {
+void decodeColors(const std::uint8_t *block, bool mayBeClear, std::array<Rgba8, 16> &texels) {
   const std::uint32_t first = little(block, 2), second = little(block + 2, 2);
-  std::array<Rgba8, 4> palette = {colourOf(first), colourOf(second)};
+  std::array<Rgba8, 4> palette = {colorOf(first), colorOf(second)};
   if (first > second || !mayBeClear) {
     palette[2] = mixed(palette[0], 2, palette[1], 1);
     palette[3] = mixed(palette[0], 1, palette[1], 2);
@@ -81,7 +81,7 @@ std::uint8_t componentOf(std::uint32_t bits, std::uint32_t mask) {
 
 std::array<Rgba8, 16> decodeBlock(DdsKind kind, const std::uint8_t *block) {
   std::array<Rgba8, 16> texels = {};
-  decodeColours(block + (kind == DdsKind::Bc1 ? 0 : 8), kind == DdsKind::Bc1, texels);
+  decodeColors(block + (kind == DdsKind::Bc1 ? 0 : 8), kind == DdsKind::Bc1, texels);
   if (kind == DdsKind::Bc2)
     decodePlainAlpha(block, texels);
   if (kind == DdsKind::Bc3)

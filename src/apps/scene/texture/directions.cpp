@@ -49,14 +49,14 @@ glm::vec3 directionOf(int face, float s, float t) {
   }
 }
 
-template <typename Colour> std::vector<Image> cube(int side, Colour colour) {
+template <typename Color> std::vector<Image> cube(int side, Color color) {
   std::vector<Image> faces(6, Image(side, side));
   for (int face = 0; face < 6; ++face)
     for (int y = 0; y < side; ++y)
       for (int x = 0; x < side; ++x) {
         const glm::vec2 at = faces[0].coordinate(x, y) * 2.0f - 1.0f;
         const glm::vec3 direction = glm::normalize(directionOf(face, at.x, at.y));
-        faces[std::size_t(face)].set(x, y, glm::vec4(colour(direction), 1.0f));
+        faces[std::size_t(face)].set(x, y, glm::vec4(color(direction), 1.0f));
       }
   return faces;
 }

@@ -141,35 +141,35 @@ std::array<int, 4> texel(const Image &image, int x, int y) {
 
 /// Returns red (31, 0, 0) and blue (0, 0, 31). Their order decides whether the block has four
 /// colors or three.
-std::string colours(bool redFirst, const char (&indices)[5]) {
+std::string colors(bool redFirst, const char (&indices)[5]) {
   return (redFirst ? std::string("\x00\xf8\x1f\x00", 4) : std::string("\x1f\x00\x00\xf8", 4)) +
          std::string(indices, 4);
 }
 
 TEST(Dds, BlocksOfTheThreeKinds) {
   // Each row of a block has indices 0 1 2 3, from the lowest bits up.
-  const auto four = decoded(coded("DXT1", header(4, 4)) + colours(true, "\xe4\0\x55\xff"))[0];
+  const auto four = decoded(coded("DXT1", header(4, 4)) + colors(true, "\xe4\0\x55\xff"))[0];
   EXPECT_THAT(texel(four, 0, 0), ElementsAre(255, 0, 0, 255));
   EXPECT_THAT(texel(four, 1, 0), ElementsAre(0, 0, 255, 255));
   EXPECT_THAT(texel(four, 2, 0), ElementsAre(170, 0, 85, 255));
   EXPECT_THAT(texel(four, 3, 0), ElementsAre(85, 0, 170, 255));
   EXPECT_THAT(texel(four, 0, 2), ElementsAre(0, 0, 255, 255));
-  const auto three = decoded(coded("DXT1", header(4, 4)) + colours(false, "\xe4\0\0\0"))[0];
+  const auto three = decoded(coded("DXT1", header(4, 4)) + colors(false, "\xe4\0\0\0"))[0];
   EXPECT_THAT(texel(three, 2, 0), ElementsAre(128, 0, 128, 255));
   EXPECT_THAT(texel(three, 3, 0), ElementsAre(0, 0, 0, 0));
   const std::string nibbles("\x10\x32\x54\x76\x98\xba\xdc\xfe", 8);
   const auto stepped =
-      decoded(coded("DXT3", header(4, 4)) + nibbles + colours(false, "\xff\0\0\0"))[0];
+      decoded(coded("DXT3", header(4, 4)) + nibbles + colors(false, "\xff\0\0\0"))[0];
   EXPECT_THAT(texel(stepped, 0, 0), ElementsAre(170, 0, 85, 0)) << "four colours, in any order";
   EXPECT_EQ(texel(stepped, 3, 3)[3], 255);
   EXPECT_EQ(texel(stepped, 1, 0)[3], 17);
   // The bytes 0x88 0xc6 0xfa are the indices 0 to 7 of three bits each.
   const std::string eight("\xff\x00\x88\xc6\xfa\0\0\0", 8), six("\x00\xff\x88\xc6\xfa\0\0\0", 8);
-  const auto mixed = decoded(coded("DXT5", header(4, 4)) + eight + colours(true, "\0\0\0\0"))[0];
+  const auto mixed = decoded(coded("DXT5", header(4, 4)) + eight + colors(true, "\0\0\0\0"))[0];
   EXPECT_EQ(texel(mixed, 1, 0)[3], 0);
   EXPECT_EQ(texel(mixed, 2, 0)[3], 219);
   EXPECT_EQ(texel(mixed, 3, 1)[3], 36);
-  const auto fewer = decoded(coded("DXT5", header(4, 4)) + six + colours(true, "\0\0\0\0"))[0];
+  const auto fewer = decoded(coded("DXT5", header(4, 4)) + six + colors(true, "\0\0\0\0"))[0];
   EXPECT_EQ(texel(fewer, 2, 0)[3], 51);
   EXPECT_EQ(texel(fewer, 2, 1)[3], 0);
   EXPECT_EQ(texel(fewer, 3, 1)[3], 255);
@@ -193,7 +193,7 @@ TEST(Dds, PlainTexelsByTheirMasks) {
 }
 
 TEST(Dds, LevelsAndCutBlocks) {
-  const std::string block = colours(true, "\0\0\0\0"), other = colours(false, "\0\0\0\0");
+  const std::string block = colors(true, "\0\0\0\0"), other = colors(false, "\0\0\0\0");
   const auto image = decoded(coded("DXT1", header(6, 2, 3)) + block + other + block + other)[0];
   EXPECT_EQ(image.width, 6);
   EXPECT_THAT(texel(image, 5, 1), ElementsAre(0, 0, 255, 255)) << "of the second block";
@@ -223,7 +223,7 @@ TEST(Dds, TheNewerHeader) {
   put(bytes, 128, 77);
   put(bytes, 132, 3);
   put(bytes, 140, 1);
-  const std::string block = std::string(8, '\xff') + colours(true, "\0\0\0\0");
+  const std::string block = std::string(8, '\xff') + colors(true, "\0\0\0\0");
   EXPECT_THAT(texel(decoded(bytes + block)[0], 0, 0), ElementsAre(255, 0, 0, 255));
   put(bytes, 136, 4);
   EXPECT_EQ(decoded(bytes + block + block + block + block + block + block).size(), 6u);

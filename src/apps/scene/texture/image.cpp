@@ -11,17 +11,17 @@ Image::Image(const Picture &picture)
 
 glm::vec4 Image::at(int x, int y) const {
   const std::size_t first = 4 * (std::size_t(y) * std::size_t(width) + std::size_t(x));
-  glm::vec4 colour;
+  glm::vec4 color;
   for (int i = 0; i < 4; ++i)
-    colour[i] = float(texels[first + std::size_t(i)]) / most();
-  return colour;
+    color[i] = float(texels[first + std::size_t(i)]) / most();
+  return color;
 }
 
-void Image::set(int x, int y, const glm::vec4 &colour) {
+void Image::set(int x, int y, const glm::vec4 &color) {
   const std::size_t first = 4 * (std::size_t(y) * std::size_t(width) + std::size_t(x));
   for (int i = 0; i < 4; ++i)
     texels[first + std::size_t(i)] =
-        std::uint16_t(std::lround(std::clamp(colour[i], 0.0f, 1.0f) * most()));
+        std::uint16_t(std::lround(std::clamp(color[i], 0.0f, 1.0f) * most()));
 }
 
 Picture Image::picture() const {

@@ -26,7 +26,7 @@ struct Image {
   /// Returns a texel in [0,1].
   [[nodiscard]] glm::vec4 at(int x, int y) const;
   /// Sets a texel: clamps to [0,1] and rounds to the nearest level.
-  void set(int x, int y, const glm::vec4 &colour);
+  void set(int x, int y, const glm::vec4 &color);
   /// Returns the middle of a texel as a texture coordinate.
   [[nodiscard]] glm::vec2 coordinate(int x, int y) const {
     return {(float(x) + 0.5f) / float(width), (float(y) + 0.5f) / float(height)};

@@ -16,18 +16,17 @@ constexpr float kHorizon = 0.36f;
 
 glm::vec3 skyAt(glm::vec2 at) {
   const float up = glm::clamp((at.y - kHorizon) / (1 - kHorizon), 0.0f, 1.0f);
-  glm::vec3 colour =
+  glm::vec3 color =
       glm::mix(glm::vec3(0.98f, 0.80f, 0.58f), glm::vec3(0.18f, 0.38f, 0.72f), std::sqrt(up));
   const float fromSun = glm::length(at - glm::vec2(0.7f, 0.72f));
-  colour += 0.4f * std::exp(-8.0f * fromSun) * glm::vec3(1.0f, 0.8f, 0.4f);
-  colour =
-      glm::mix(glm::vec3(1.0f, 0.97f, 0.82f), colour, glm::smoothstep(0.078f, 0.084f, fromSun));
+  color += 0.4f * std::exp(-8.0f * fromSun) * glm::vec3(1.0f, 0.8f, 0.4f);
+  color = glm::mix(glm::vec3(1.0f, 0.97f, 0.82f), color, glm::smoothstep(0.078f, 0.084f, fromSun));
   const float height = glm::smoothstep(0.42f, 0.62f, at.y);
   if (height == 0.0f) // no cloud, whatever the noise
-    return colour;
+    return color;
   const float cloud = fractalNoise(at * glm::vec2(4.0f, 11.0f), 5, 0, 11);
   const float cover = glm::smoothstep(0.52f, 0.78f, cloud) * height;
-  return glm::mix(colour, glm::vec3(0.96f), 0.85f * cover);
+  return glm::mix(color, glm::vec3(0.96f), 0.85f * cover);
 }
 
 /// Returns a checkered ground up to the horizon. It fades into haze where its fields are smaller
@@ -36,8 +35,8 @@ glm::vec3 groundAt(glm::vec2 at) {
   const float distance = 0.06f / (kHorizon + 0.002f - at.y);
   const glm::vec2 field = glm::floor(glm::vec2((at.x - 0.5f) * distance * 36.0f, distance * 8.0f));
   const bool dark = (int(field.x) + int(field.y)) % 2 != 0;
-  const glm::vec3 colour = dark ? glm::vec3(0.15f, 0.24f, 0.18f) : glm::vec3(0.82f, 0.76f, 0.60f);
-  return glm::mix(colour, glm::vec3(0.60f, 0.58f, 0.52f),
+  const glm::vec3 color = dark ? glm::vec3(0.15f, 0.24f, 0.18f) : glm::vec3(0.82f, 0.76f, 0.60f);
+  return glm::mix(color, glm::vec3(0.60f, 0.58f, 0.52f),
                   glm::smoothstep(kHorizon - 0.08f, kHorizon, at.y));
 }
 
@@ -49,7 +48,7 @@ struct Skyline {
   float far, near;
 };
 
-glm::vec3 colourAt(glm::vec2 at, const Skyline &skyline) {
+glm::vec3 colorAt(glm::vec2 at, const Skyline &skyline) {
   if (at.y < kHorizon)
     return groundAt(at);
   if (at.y < skyline.near)
@@ -69,7 +68,7 @@ Image makeLandscape(int width, int height) {
     skylines.emplace_back(image.coordinate(x, 0).x);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
-      image.set(x, y, glm::vec4(colourAt(image.coordinate(x, y), skylines[std::size_t(x)]), 1.0f));
+      image.set(x, y, glm::vec4(colorAt(image.coordinate(x, y), skylines[std::size_t(x)]), 1.0f));
   return image;
 }
 

@@ -14,11 +14,11 @@ namespace {
 glm::vec4 grey(float level) { return {level, level, level, 1.0f}; }
 
 /// Makes an image from a function of the texture coordinate.
-template <typename Colour> Image paint(int width, int height, Colour colour) {
+template <typename Color> Image paint(int width, int height, Color color) {
   Image image(width, height);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
-      image.set(x, y, colour(image.coordinate(x, y)));
+      image.set(x, y, color(image.coordinate(x, y)));
   return image;
 }
 
@@ -28,8 +28,8 @@ std::uint32_t seedOf(const TextureSource &source) { return std::uint32_t(source.
 
 Image makeConstant(const TextureSource &source, int width, int height) {
   const auto get = [&](const char *name) { return float(source.argument(name)); };
-  const glm::vec4 colour(get("r"), get("g"), get("b"), get("a"));
-  return paint(width, height, [&](glm::vec2) { return colour; });
+  const glm::vec4 color(get("r"), get("g"), get("b"), get("a"));
+  return paint(width, height, [&](glm::vec2) { return color; });
 }
 
 Image makeChecker(const TextureSource &source, int width, int height) {

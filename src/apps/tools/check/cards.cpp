@@ -121,10 +121,8 @@ const char *word(const CardCell &cell) {
   return cell.status == FileStatus::Valid ? "fits" : loads(cell) ? "over" : "no";
 }
 
-Colour colourOfCell(const CardCell &cell) {
-  return cell.status == FileStatus::Valid ? Colour::Good
-         : loads(cell)                    ? Colour::Close
-                                          : Colour::Bad;
+Color colorOfCell(const CardCell &cell) {
+  return cell.status == FileStatus::Valid ? Color::Good : loads(cell) ? Color::Close : Color::Bad;
 }
 
 std::string padded(const std::string &text, std::size_t width) {
@@ -216,7 +214,7 @@ std::string CardMatrix::head(std::size_t width, const Style &style) const {
       cells += "  " + padded(line < 2 ? linesOf(spokenName(*m_cards[i]))[line] : m_cards[i]->name,
                              columnOf(i));
     cells.erase(cells.find_last_not_of(' ') + 1);
-    text += painted(cells, Colour::Dim, style) + "\n";
+    text += painted(cells, Color::Dim, style) + "\n";
   }
   return text;
 }
@@ -271,7 +269,7 @@ std::string CardMatrix::text(const Style &style, bool reasons) const {
     for (std::size_t i = 0; i < m_cards.size(); ++i) {
       const CardCell &cell = row.cells[i];
       const bool last = i + 1 == m_cards.size();
-      text += "  " + painted(word(cell), colourOfCell(cell), style);
+      text += "  " + painted(word(cell), colorOfCell(cell), style);
       text += last ? "" : std::string(columnOf(i) - std::string_view(word(cell)).size(), ' ');
     }
     text += "\n";

@@ -89,7 +89,7 @@ std::string cell(const std::optional<double> &used, std::uint32_t limit, bool li
       !used ? "-" : decimal(*used) + (limited ? "/" + std::to_string(limit) : "");
   const std::string padding(text.size() < 13 ? 13 - text.size() : 1, ' ');
   const bool over = used && limited && *used > limit;
-  return padding + (over ? painted(text, Colour::Bad, style) : text);
+  return padding + (over ? painted(text, Color::Bad, style) : text);
 }
 
 std::string deltaCell(const Numbers &numbers, const Style &style) {
@@ -100,7 +100,7 @@ std::string deltaCell(const Numbers &numbers, const Style &style) {
   const std::string padding(text.size() < 8 ? 8 - text.size() : 1, ' ');
   if (!change || *change == 0)
     return padding + text;
-  return padding + painted(text, *change < 0 ? Colour::Good : Colour::Close, style);
+  return padding + painted(text, *change < 0 ? Color::Good : Color::Close, style);
 }
 
 std::string row(const Line &line, const Style &style) {
@@ -155,7 +155,7 @@ std::string Comparison::text(const Style &style) const {
   char head[160];
   std::snprintf(head, sizeof head, "  %-18s%13s%13s%8s%13s%13s%8s", "resource", "A", "B", "B-A",
                 "A native", "B native", "B-A");
-  text += painted(head, Colour::Dim, style) + "\n";
+  text += painted(head, Color::Dim, style) + "\n";
   for (const Line &line : linesOf(m_a, m_b))
     if (line.limited || line.native[0] || line.native[1])
       text += row(line, style);

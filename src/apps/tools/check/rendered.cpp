@@ -8,10 +8,10 @@ namespace {
 
 constexpr std::string_view kHint = "  hint:";
 
-Colour colourOf(fp::Severity severity) {
-  return severity == fp::Severity::Error     ? Colour::Error
-         : severity == fp::Severity::Warning ? Colour::Warning
-                                             : Colour::Note;
+Color colorOf(fp::Severity severity) {
+  return severity == fp::Severity::Error     ? Color::Error
+         : severity == fp::Severity::Warning ? Color::Warning
+                                             : Color::Note;
 }
 
 /// Colors the first line of a diagnostic.
@@ -21,8 +21,8 @@ std::string paintedLine(const std::string &line, std::size_t name, const fp::Dia
   const std::string kind = std::string(fp::severityName(diagnostic.severity)) + ":";
   const std::size_t at = std::min(line.find(" " + kind, name), line.size());
   const std::size_t behind = std::min(at + 1 + kind.size(), line.size());
-  return painted(line.substr(0, at), Colour::Place, style) + " " +
-         painted(kind, colourOf(diagnostic.severity), style) + line.substr(behind);
+  return painted(line.substr(0, at), Color::Place, style) + " " +
+         painted(kind, colorOf(diagnostic.severity), style) + line.substr(behind);
 }
 
 } // namespace
@@ -30,13 +30,13 @@ std::string paintedLine(const std::string &line, std::size_t name, const fp::Dia
 std::string renderedLine(std::string_view name, std::string_view text,
                          const fp::Diagnostic &diagnostic, const Style &style) {
   const std::string line = fp::renderLine(name, text, diagnostic);
-  return style.colour ? paintedLine(line, name.size(), diagnostic, style) : line;
+  return style.color ? paintedLine(line, name.size(), diagnostic, style) : line;
 }
 
 std::string rendered(std::string_view name, std::string_view text, const fp::Diagnostic &diagnostic,
                      const Style &style) {
   const std::string plain = fp::render(name, text, diagnostic);
-  if (!style.colour)
+  if (!style.color)
     return plain;
   // The text has the first line, the source line, the carets, and possibly a hint.
   std::string result;
@@ -47,9 +47,9 @@ std::string rendered(std::string_view name, std::string_view text, const fp::Dia
     if (number == 0)
       result += paintedLine(line, name.size(), diagnostic, style);
     else if (number == 2)
-      result += painted(line, colourOf(diagnostic.severity), style);
+      result += painted(line, colorOf(diagnostic.severity), style);
     else if (number == 3 && line.starts_with(kHint))
-      result += painted(kHint, Colour::Note, style) + line.substr(kHint.size());
+      result += painted(kHint, Color::Note, style) + line.substr(kHint.size());
     else
       result += line;
     result += '\n';

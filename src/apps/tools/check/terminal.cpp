@@ -24,7 +24,7 @@ bool localeIsUtf8() {
   return utf8;
 }
 
-bool coloursWanted() {
+bool colorsWanted() {
   const char *none = std::getenv("NO_COLOR");
   const char *terminal = std::getenv("TERM");
   return (none == nullptr || *none == '\0') && terminal != nullptr && *terminal != '\0' &&
@@ -65,28 +65,28 @@ Style styleOf(std::string_view gauges) {
   Style style;
   style.gauges = gauges != "never";
   style.blocks = (terminal || gauges == "always") && localeIsUtf8();
-  style.colour = terminal && coloursWanted();
+  style.color = terminal && colorsWanted();
   return style;
 }
 
 Style styleOfErrors() {
   Style style;
-  style.colour = ::isatty(STDERR_FILENO) != 0 && coloursWanted();
+  style.color = ::isatty(STDERR_FILENO) != 0 && colorsWanted();
   return style;
 }
 
-std::string painted(std::string_view text, Colour colour, const Style &style) {
+std::string painted(std::string_view text, Color color, const Style &style) {
   constexpr std::string_view kCodes[] = {"\x1b[32m",   "\x1b[33m",   "\x1b[31m",   "\x1b[2m",
                                          "\x1b[1;31m", "\x1b[1;35m", "\x1b[1;36m", "\x1b[1m"};
-  if (!style.colour)
+  if (!style.color)
     return std::string(text);
-  return std::string(kCodes[std::size_t(colour)]) + std::string(text) + "\x1b[0m";
+  return std::string(kCodes[std::size_t(color)]) + std::string(text) + "\x1b[0m";
 }
 
 std::string gauge(std::uint32_t used, std::uint32_t limit, const Style &style) {
   const std::string bar = style.blocks ? blocks(used, limit) : ascii(used, limit);
   const bool close = std::uint64_t(used) * 10 > std::uint64_t(limit) * 9;
-  return painted(bar, used > limit ? Colour::Bad : close ? Colour::Close : Colour::Good, style);
+  return painted(bar, used > limit ? Color::Bad : close ? Color::Close : Color::Good, style);
 }
 
 std::string shown(std::string_view text) {

@@ -12,7 +12,7 @@ namespace arbiter::tools {
 struct Style {
   bool gauges = true;  ///< a bar for each count
   bool blocks = false; ///< true for Unicode block elements, false for ASCII
-  bool colour = false; ///< ANSI colours
+  bool color = false;  ///< ANSI colours
 };
 
 /// Returns the style for standard output. Colors require a terminal, NO_COLOR unset, and a TERM
@@ -23,9 +23,9 @@ struct Style {
 /// Returns the style for standard error, without gauges.
 [[nodiscard]] Style styleOfErrors();
 
-enum class Colour : std::uint8_t { Good, Close, Bad, Dim, Error, Warning, Note, Place };
+enum class Color : std::uint8_t { Good, Close, Bad, Dim, Error, Warning, Note, Place };
 /// Returns the text in the color if the style has colors.
-[[nodiscard]] std::string painted(std::string_view text, Colour colour, const Style &style);
+[[nodiscard]] std::string painted(std::string_view text, Color color, const Style &style);
 
 /// Returns used / limit as a bar of ten cells. A number above 0 is always visible, and only a full
 /// count fills the bar. A bar over the limit ends in '>'.

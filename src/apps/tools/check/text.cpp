@@ -30,7 +30,7 @@ std::string tableHead(const Style &style) {
   char bars[64] = "";
   if (style.gauges)
     std::snprintf(bars, sizeof bars, "  %-*s native", cells, "API");
-  return painted(std::string(line) + bars, Colour::Dim, style) + "\n";
+  return painted(std::string(line) + bars, Color::Dim, style) + "\n";
 }
 
 /// Says which limits a count exceeds, in the words of the compiler's warning. A card may announce a
@@ -48,7 +48,7 @@ std::string overText(const CheckedFile &file, const fp::ResourceRow &row, const 
     text = overNative ? kOverNativeAlone : kNotEnforced;
   else if (overApi && overNative)
     text = kOverBoth;
-  return painted(text, Colour::Bad, style);
+  return painted(text, Color::Bad, style);
 }
 
 /// Returns a row that always begins with the four numbers, because scripts read them.
@@ -204,12 +204,11 @@ std::string verdict(const CheckedFile &file, const fp::hw::Profile &profile) {
 
 std::string fullText(const CheckedFile &file, const fp::hw::Profile &profile,
                      const TextOptions &options) {
-  const Colour colour = file.status == FileStatus::Valid ? Colour::Good
-                        : file.status == FileStatus::OverNative && file.hasPrograms()
-                            ? Colour::Close
-                            : Colour::Bad;
+  const Color color = file.status == FileStatus::Valid                              ? Color::Good
+                      : file.status == FileStatus::OverNative && file.hasPrograms() ? Color::Close
+                                                                                    : Color::Bad;
   const std::string line =
-      shown(file.title()) + ": " + painted(verdict(file, profile), colour, options.style) + "\n";
+      shown(file.title()) + ": " + painted(verdict(file, profile), color, options.style) + "\n";
   std::string text = (file.hasPrograms() ? "" : line) + fixedText(file);
   for (const fp::Diagnostic &diagnostic : file.result.diagnostics) {
     if (!file.isShown(diagnostic))

@@ -273,11 +273,11 @@ TEST(Gauge, FillsByTheCount) {
   EXPECT_EQ(gauge(65, 64, blocks), "█████████>");
 }
 
-TEST(Gauge, ColoursSayHowClose) {
-  const Style colour{true, false, true};
-  EXPECT_EQ(gauge(1, 2, colour), "\x1b[32m[#####.....]\x1b[0m");
-  EXPECT_EQ(gauge(95, 100, colour), "\x1b[33m[#########.]\x1b[0m");
-  EXPECT_EQ(gauge(101, 100, colour), "\x1b[31m[#########>]\x1b[0m");
+TEST(Gauge, ColorsSayHowClose) {
+  const Style color{true, false, true};
+  EXPECT_EQ(gauge(1, 2, color), "\x1b[32m[#####.....]\x1b[0m");
+  EXPECT_EQ(gauge(95, 100, color), "\x1b[33m[#########.]\x1b[0m");
+  EXPECT_EQ(gauge(101, 100, color), "\x1b[31m[#########>]\x1b[0m");
 }
 
 TEST(SourceText, AgreesWithLocate) {

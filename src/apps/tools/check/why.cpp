@@ -74,7 +74,7 @@ std::string Why::place(std::uint32_t instruction) const {
   const std::string text = span.begin < span.end ? m_source.statement(span, kStatementBytes)
                                                  : info(code[instruction].op).mnemonic;
   return painted(format("%5u %s ", m_source.at(span.begin).line, m_style.blocks ? "│" : "|"),
-                 Colour::Dim, m_style) +
+                 Color::Dim, m_style) +
          text;
 }
 

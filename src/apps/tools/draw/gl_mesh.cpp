@@ -35,8 +35,8 @@ GlMesh::GlMesh(const scene::Mesh &mesh, const std::vector<scene::CoordinateSpec>
   };
   m_position = add(3, [](const auto &vertex) { return glm::vec4(vertex.position, 1); });
   m_normal = add(3, [](const auto &vertex) { return glm::vec4(vertex.normal, 1); });
-  m_colour = add(4, [](const auto &vertex) { return glm::vec4(vertex.st, 0, 1); });
-  m_sets.assign(std::size_t(std::clamp(query(GL_MAX_TEXTURE_COORDS_ARB), 1, 8)), m_colour);
+  m_color = add(4, [](const auto &vertex) { return glm::vec4(vertex.st, 0, 1); });
+  m_sets.assign(std::size_t(std::clamp(query(GL_MAX_TEXTURE_COORDS_ARB), 1, 8)), m_color);
   for (const scene::CoordinateSpec &spec : coordinates)
     if (spec.set < m_sets.size())
       m_sets[spec.set] =
@@ -66,7 +66,7 @@ void GlMesh::pointGeneric(GLuint index, const Array &array, bool on) const {
 void GlMesh::point(bool on) const {
   glVertexPointer(m_position.components, GL_FLOAT, 0, pointer(m_position.offset));
   glNormalPointer(GL_FLOAT, 0, pointer(m_normal.offset));
-  glColorPointer(m_colour.components, GL_FLOAT, 0, pointer(m_colour.offset));
+  glColorPointer(m_color.components, GL_FLOAT, 0, pointer(m_color.offset));
   for (const GLenum array : {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY})
     setClient(array, on);
   for (std::size_t set = 0; set < m_sets.size(); ++set) {
@@ -76,9 +76,9 @@ void GlMesh::point(bool on) const {
   }
   if (!m_generic)
     return;
-  constexpr GLuint kNormal = 2, kColour = 3, kFirstSet = 8;
+  constexpr GLuint kNormal = 2, kColor = 3, kFirstSet = 8;
   pointGeneric(kNormal, m_normal, on);
-  pointGeneric(kColour, m_colour, on);
+  pointGeneric(kColor, m_color, on);
   for (std::size_t set = 0; set < m_sets.size(); ++set)
     pointGeneric(kFirstSet + GLuint(set), m_sets[set], on);
 }

@@ -27,7 +27,7 @@ private:
   void pointGeneric(GLuint index, const Array &array, bool on) const;
 
   GLuint m_buffers[2] = {0, 0};
-  Array m_position{}, m_normal{}, m_colour{};
+  Array m_position{}, m_normal{}, m_color{};
   std::vector<Array> m_sets;
   std::vector<unsigned> m_attribs;
   bool m_generic;

@@ -19,7 +19,7 @@ GLuint makeTexture(GLint format, GLenum layout, GLenum type, int width, int heig
 Targets::~Targets() {
   for (const Target &target : m_targets) {
     glDeleteFramebuffers(1, &target.framebuffer);
-    glDeleteTextures(1, &target.colour);
+    glDeleteTextures(1, &target.color);
     glDeleteTextures(1, &target.depth);
   }
 }
@@ -42,12 +42,12 @@ std::optional<RenderError> Targets::add(std::size_t file, const scene::Target &s
   if (m_targets.empty())
     m_outer = GLuint(query(GL_FRAMEBUFFER_BINDING));
   Target target{spec.name.text};
-  target.colour = makeTexture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height);
+  target.color = makeTexture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height);
   target.depth =
       makeTexture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, width, height);
   glGenFramebuffers(1, &target.framebuffer);
   glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.colour, 0);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.color, 0);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, target.depth, 0);
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
   glBindFramebuffer(GL_FRAMEBUFFER, m_outer);
@@ -74,7 +74,7 @@ void Targets::bind(const std::string &name) const {
 
 GLuint Targets::texture(const std::string &name, bool depth) const {
   const Target *const target = find(name);
-  return target == nullptr ? 0 : depth ? target->depth : target->colour;
+  return target == nullptr ? 0 : depth ? target->depth : target->color;
 }
 
 } // namespace arbiter::tools

@@ -27,7 +27,7 @@ public:
 private:
   struct Target {
     std::string name;
-    GLuint framebuffer = 0, colour = 0, depth = 0;
+    GLuint framebuffer = 0, color = 0, depth = 0;
   };
 
   [[nodiscard]] const Target *find(const std::string &name) const;

@@ -40,7 +40,7 @@ void uploadDepths(GLenum target, const Image &image) {
   glTexParameteri(target, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_R_TO_TEXTURE);
 }
 
-void uploadColours(GLenum target, const Image &image) {
+void uploadColors(GLenum target, const Image &image) {
   const std::vector<std::uint8_t> texels(image.texels.begin(), image.texels.end());
   const auto flat = [&](GLenum face) {
     glTexImage2D(face, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
@@ -78,7 +78,7 @@ GLuint makeUnsetTexture(unsigned unit, TexTarget sampled, int pictureWidth, int 
   if (fp::ir::isShadow(sampled))
     uploadDepths(target, image);
   else
-    uploadColours(target, image);
+    uploadColors(target, image);
   glBindTexture(target, 0);
   return name;
 }

@@ -164,8 +164,8 @@ void Renderer::Parts::setPass(std::size_t index, double seconds) const {
   setDepth(document.depthOf(pass), state.depthWrite);
   setCull(valueOf(state.cull));
   setStencil(valueOf(state.stencil));
-  const auto colour = GLboolean(state.colourWrite);
-  glColorMask(colour, colour, colour, colour);
+  const auto color = GLboolean(state.colorWrite);
+  glColorMask(color, color, color, color);
   setMatrices(document.viewOf(pass));
   textures.bind(pass.panel);
   programs.use(document, pass, seconds);

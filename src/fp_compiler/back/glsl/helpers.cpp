@@ -87,7 +87,7 @@ constexpr const char *kTruncate =
     "                                : size < 0x20800000 ? 0 : size & -128;\n"
     "  return intBitsToFloat(bits ^ size | less);\n}\n";
 /// Rounds a colour to the nearest multiple of 1 / 4095, ties to even.
-constexpr const char *kColour =
+constexpr const char *kColor =
     "float arb_colour(float x) {\n"
     "  float unit = (x > 0.0 ? min(x, 1.0) : 0.0) * 4095.0, low = floor(unit), over = unit - low;\n"
     "  bool up = over > 0.5 || over == 0.5 && (int(low) & 1) == 1;\n"
@@ -177,7 +177,7 @@ std::string helpers(const ir::Program &program, Numerics numerics, const std::st
       {"arb_log", logarithm()},
       {"arb_round", kRound + forVectors("arb_round", 1)},
       {"arb_truncate", kTruncate + forVectors("arb_truncate", 1)},
-      {"arb_colour", kColour + forVectors("arb_colour", 1)},
+      {"arb_colour", kColor + forVectors("arb_colour", 1)},
       {"arb_mul", product("arb_mul(float a, float b)", "a == 0.0 || b == 0.0", "a * b", exact) +
                       forVectors("arb_mul", 2)},
       {"arb_mulz", product("arb_mulz(float z, float x)", "z == 0.0", "z * x", exact) +

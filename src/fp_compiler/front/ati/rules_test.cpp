@@ -196,7 +196,7 @@ TEST(AtiRules, R02TwoDifferentConstants) {
   refuses("ati-constant-count", three + output("MAD r0, c0.r, c1.neg, @c2.bias;"));
 }
 
-TEST(AtiRules, R03ColoursInTheOutputPass) {
+TEST(AtiRules, R03ColorsInTheOutputPass) {
   accepts(output("MUL r0.rgb, color0, color1;"));
   accepts(prelim("MOV r0, 0;") + output("MUL r0.rgb, color0, color1;"));
   refuses("ati-color-in-prelim-pass", prelim("MOV r0, @color0;") + kNop);
@@ -261,7 +261,7 @@ TEST(AtiRules, R09RegistersHaveNoQ) {
           prelim("MOV r0, 0;") + output("PassTexCoord r0, r0.@stq_dq;"));
 }
 
-TEST(AtiRules, R10DotsNeedAColour) {
+TEST(AtiRules, R10DotsNeedAColor) {
   accepts(output("DOT3 r0.ra, r1, r2; DOT4 r0.rgba, r1, r2; DOT2ADD r0, r1, r2, r3;"));
   refuses("ati-dot-alpha", output("DOT3 r0.@a, r1, r2;"));
   refuses("ati-dot-alpha", output("DOT2ADD r0.@a.2x, r1, r2, r3;"));
@@ -279,7 +279,7 @@ TEST(AtiRules, R11NoAlphaAfterADot4ThatLeavesItOut) {
   refuses("ati-alpha-after-dot", output("DOT4 r3.g, r1, r2; MUL r0.@a.2x.sat, r1, r1;"));
 }
 
-TEST(AtiRules, R12TheSecondaryColourHasNoAlpha) {
+TEST(AtiRules, R12TheSecondaryColorHasNoAlpha) {
   accepts(output("MOV r0.rgb, color1; MOV r0, color1.g; MOV r0.a, color1.b;"));
   accepts(output("DOT3 r0, color1, r1; DOT2ADD r0, color1, color1, color1;"));
   accepts(output("DOT4 r0, color1.r, r1;"));

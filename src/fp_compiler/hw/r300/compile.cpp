@@ -43,11 +43,11 @@ private:
       if (!item.live || item.kind != Item::Kind::Interpolant)
         continue;
       m_code.interpolants.push_back({item.attribute, registerOf(id)});
-      const bool colour =
-          item.attribute == kSecondaryColour ||
+      const bool color =
+          item.attribute == kSecondaryColor ||
           (item.attribute != kFogCoordinate &&
            m_program.attributes[item.attribute].kind <= ir::AttributeKind::ColorSecondary);
-      m_code.interpolators += colour ? 0 : 1;
+      m_code.interpolators += color ? 0 : 1;
     }
   }
 

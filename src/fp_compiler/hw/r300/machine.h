@@ -200,12 +200,12 @@ struct Constant {
 };
 
 /// Values of Interpolant::attribute for what an option reads and the program does not declare.
-inline constexpr std::uint16_t kFogCoordinate = 0xFFFE;   ///< for a fog option
-inline constexpr std::uint16_t kSecondaryColour = 0xFFFD; ///< for Options::colorSum
+inline constexpr std::uint16_t kFogCoordinate = 0xFFFE;  ///< for a fog option
+inline constexpr std::uint16_t kSecondaryColor = 0xFFFD; ///< for Options::colorSum
 
 /// A register that the rasterizer fills before the first node.
 struct Interpolant {
-  /// Index into ir::Program::attributes, kFogCoordinate or kSecondaryColour.
+  /// Index into ir::Program::attributes, kFogCoordinate or kSecondaryColor.
   std::uint16_t attribute = 0;
   std::uint16_t temporary = 0;
   /// fragment.position arrives as the clip position, in the interpolator of a texture coordinate.

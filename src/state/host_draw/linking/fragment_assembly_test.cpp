@@ -114,7 +114,7 @@ TEST_F(FragmentAssembly, ItIsGlslWhereTheHostDrawsWithItInALaterFrame) {
   EXPECT_TRUE(drawsByGlsl());
 }
 
-TEST_F(FragmentAssembly, FlatColoursAreGlsl) {
+TEST_F(FragmentAssembly, FlatColorsAreGlsl) {
   m_host.integers[GL_SHADE_MODEL] = GL_FLAT;
   const GLuint name = use(*m_context, kShading);
   EXPECT_TRUE(drawsByGlsl());

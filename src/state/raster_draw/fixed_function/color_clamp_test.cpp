@@ -59,7 +59,7 @@ TEST(ColorClamp, WhatIsNoNumberBecomesWhatTheHostMakesOfIt) {
   }
 }
 
-TEST(ColorClamp, WithoutItColoursStay) {
+TEST(ColorClamp, WithoutItColorsStay) {
   const fp::ir::Vec4 color = {3, 2, -1, 0.25f};
   FixedVertexKey key;
   key.needs.primary = true;

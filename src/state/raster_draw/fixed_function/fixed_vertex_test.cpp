@@ -274,7 +274,7 @@ TEST(FixedVertex, IsWhatTheHostMakesOfTheSameState) {
   EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
 }
 
-TEST(FixedVertex, PrimaryAndSecondarySumToTheSingleColour) {
+TEST(FixedVertex, PrimaryAndSecondarySumToTheSingleColor) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "the test is built where OSMesa is";
   RasterContext &context = host.context();

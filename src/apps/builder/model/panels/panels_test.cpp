@@ -33,7 +33,7 @@ TEST(Parameters, AreReadWithTheirPlaces) {
   ASSERT_EQ(amount.components.size(), 1);
   EXPECT_EQ(kText.mid(amount.components[0].at, amount.components[0].length), QStringLiteral("0.5"))
       << "letters of two bytes stand before it";
-  EXPECT_TRUE(parameters.lines()[1].colour);
+  EXPECT_TRUE(parameters.lines()[1].color);
 }
 
 TEST(Parameters, ADragChangesNoTextAndItsReleaseOneNumber) {
@@ -54,7 +54,7 @@ TEST(Parameters, ADragChangesNoTextAndItsReleaseOneNumber) {
   EXPECT_FALSE(document.canUndo());
 }
 
-TEST(Parameters, AColourIsOneStep) {
+TEST(Parameters, AColorIsOneStep) {
   Document document;
   document.open(kText);
   Parameters parameters(document);

@@ -67,7 +67,7 @@ ParameterLine lineOf(const scene::Parameter &parameter, const UtfMap &map, const
   line.high = parameter.high.value;
   if (!line.hasRange || !(line.low < line.high))
     guessRange(line);
-  line.colour = parameter.colour && line.components.size() >= 3;
+  line.color = parameter.color && line.components.size() >= 3;
   line.animation = animationText(parameter);
   if (parameter.animation) {
     line.motion = line.animation.section(u' ', 0, 0);

@@ -27,12 +27,12 @@ struct ParameterLine {
   QList<Component> components;
   double low = 0, high = 1; ///< of the slider
   bool hasRange = false;
-  bool colour = false; ///< shown as a color
-  bool fixed = false;  ///< computed by a word (rotate, camera), so that it has no slider
-  QString animation;   ///< "sine 5s"; empty: none
-  QString motion;      ///< "sine"; empty: none
-  double period = 5;   ///< of the animation, in seconds
-  int line = 1;        ///< in the text, from 1
+  bool color = false; ///< shown as a color
+  bool fixed = false; ///< computed by a word (rotate, camera), so that it has no slider
+  QString animation;  ///< "sine 5s"; empty: none
+  QString motion;     ///< "sine"; empty: none
+  double period = 5;  ///< of the animation, in seconds
+  int line = 1;       ///< in the text, from 1
 };
 
 /// The parameters of a document's `#@` lines, for a panel of sliders. A held slider does not change

@@ -81,7 +81,7 @@ SceneSettings sceneOf(const QString &text) {
   settings.cull = wordOf(panel.state.cull);
   settings.stencil = wordOf(panel.state.stencil);
   settings.depthWrite = panel.state.depthWrite;
-  settings.colourWrite = panel.state.colourWrite;
+  settings.colorWrite = panel.state.colorWrite;
   settings.keep = panel.state.keep;
   for (std::size_t i = 0; i < panel.state.clear.size(); ++i)
     settings.clear[qsizetype(i)] = panel.state.clear[i].value;

@@ -25,7 +25,7 @@ struct SceneSettings {
   QString camera; ///< "none", "orbit"
   QList<ArgumentValue> cameraArguments;
   QString blend, depth, cull, stencil;
-  bool depthWrite = true, colourWrite = true, keep = false;
+  bool depthWrite = true, colorWrite = true, keep = false;
   QList<double> clear{0, 0, 0, 0};
   QString vertex;   ///< a file's name
   QStringList then; ///< names of files

@@ -38,7 +38,7 @@ CodeEditor::CodeEditor(Workbench &bench, QWidget *parent) : QPlainTextEdit(paren
   m_gutter = new Gutter(*this);
   m_completer = new Completer(*this);
   m_highlighter = new Highlighter(document());
-  refreshColours();
+  refreshColors();
   setPlainText(bench.document().text());
   connect(document(), &QTextDocument::contentsChange, this, &CodeEditor::contentsChange);
   connect(&bench.document(), &Document::edited, this, &CodeEditor::documentEdited);
@@ -61,10 +61,10 @@ CodeEditor::CodeEditor(Workbench &bench, QWidget *parent) : QPlainTextEdit(paren
   setViewportMargins(gutterWidth(), 0, 0, 0);
 }
 
-void CodeEditor::refreshColours() {
+void CodeEditor::refreshColors() {
   QPalette palette = this->palette();
-  palette.setColor(QPalette::Base, colours().background);
-  palette.setColor(QPalette::Text, colours().text);
+  palette.setColor(QPalette::Base, colors().background);
+  palette.setColor(QPalette::Text, colors().text);
   setPalette(palette);
   m_highlighter->refresh();
   showMarks();
@@ -116,12 +116,12 @@ void CodeEditor::documentEdited(const Edit &edit, Origin origin) {
 
 void CodeEditor::showMarks() {
   QList<QTextEdit::ExtraSelection> marks;
-  const Colours &c = colours();
-  const auto wholeLine = [&](QTextCursor cursor, const QColor &colour) {
+  const Colors &c = colors();
+  const auto wholeLine = [&](QTextCursor cursor, const QColor &color) {
     QTextEdit::ExtraSelection line;
     cursor.clearSelection();
     line.cursor = cursor;
-    line.format.setBackground(colour);
+    line.format.setBackground(color);
     line.format.setProperty(QTextFormat::FullWidthSelection, true);
     marks.append(line);
   };

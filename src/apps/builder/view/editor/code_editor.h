@@ -34,7 +34,7 @@ public:
   [[nodiscard]] QString wordAtCursor() const;
   /// Marks the debugger's line, from 1; 0: none.
   void setTracedLine(int line);
-  void refreshColours();
+  void refreshColors();
 
   [[nodiscard]] int gutterWidth() const;
 

@@ -50,7 +50,7 @@ int Gutter::lineAt(int y) const {
 
 void Gutter::paintEvent(QPaintEvent *event) {
   QPainter painter(this);
-  const Colours &c = colours();
+  const Colors &c = colors();
   painter.fillRect(event->rect(), c.line);
   const Report &report = m_editor.bench().report();
   const bool nodes = report.nodes.size() > 1;

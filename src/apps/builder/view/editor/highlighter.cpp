@@ -7,8 +7,8 @@ namespace arbiter::builder {
 
 namespace {
 
-QColor colourOf(WordKind kind) {
-  const Colours &c = colours();
+QColor colorOf(WordKind kind) {
+  const Colors &c = colors();
   switch (kind) {
   case WordKind::Opcode:
     return c.opcode;
@@ -58,7 +58,7 @@ qsizetype Highlighter::word(const QString &text, qsizetype begin) {
   const QString word = text.mid(begin, end - begin);
   const auto found = m_words.constFind(word);
   if (found != m_words.constEnd())
-    setFormat(int(begin), int(end - begin), colourOf(*found));
+    setFormat(int(begin), int(end - begin), colorOf(*found));
   // The words behind dots and indices belong to the same binding.
   if (found != m_words.constEnd() && *found == WordKind::Binding) {
     qsizetype chain = end;
@@ -66,7 +66,7 @@ qsizetype Highlighter::word(const QString &text, qsizetype begin) {
       ++chain;
       while (chain < text.size() && inWord(text[chain]))
         ++chain;
-      setFormat(int(end), int(chain - end), colours().binding);
+      setFormat(int(end), int(chain - end), colors().binding);
       const qsizetype close =
           chain < text.size() && text[chain] == u'[' ? text.indexOf(u']', chain) : qsizetype(-1);
       if (close < 0)
@@ -79,7 +79,7 @@ qsizetype Highlighter::word(const QString &text, qsizetype begin) {
     return std::max(end, chain);
   }
   if (found == m_words.constEnd() && begin > 0 && text[begin - 1] == u'.')
-    setFormat(int(begin), int(end - begin), colours().parameter); // a mask, swizzle or field
+    setFormat(int(begin), int(end - begin), colors().parameter); // a mask, swizzle or field
   return end;
 }
 
@@ -93,28 +93,28 @@ qsizetype Highlighter::number(const QString &text, qsizetype begin) {
     ++end;
   }
   if (end == begin + 1 && end + 0 < text.size() && text[end] == u'D') { // 1D, 2D, 3D
-    setFormat(int(begin), 2, colours().option);
+    setFormat(int(begin), 2, colors().option);
     return end + 1;
   }
-  setFormat(int(begin), int(end - begin), colours().number);
+  setFormat(int(begin), int(end - begin), colors().number);
   return end;
 }
 
 void Highlighter::panelLine(const QString &text, qsizetype begin) {
-  setFormat(int(begin), int(text.size() - begin), colours().dim);
-  setFormat(int(begin), 2, colours().panel);
+  setFormat(int(begin), int(text.size() - begin), colors().dim);
+  setFormat(int(begin), 2, colors().panel);
   for (qsizetype i = begin + 2; i < text.size();) {
     if (text[i] == u'"') {
       const qsizetype close = text.indexOf(u'"', i + 1);
       const qsizetype end = close < 0 ? text.size() : close + 1;
-      setFormat(int(i), int(end - i), colours().parameter);
+      setFormat(int(i), int(end - i), colors().parameter);
       i = end;
     } else if (beginsWord(text[i])) {
       qsizetype end = i;
       while (end < text.size() && inWord(text[end]))
         ++end;
       if (m_panel.contains(text.mid(i, end - i)))
-        setFormat(int(i), int(end - i), colours().panel);
+        setFormat(int(i), int(end - i), colors().panel);
       i = end;
     } else if (text[i].isDigit()) {
       i = number(text, i);
@@ -126,7 +126,7 @@ void Highlighter::panelLine(const QString &text, qsizetype begin) {
 
 void Highlighter::highlightBlock(const QString &text) {
   if (currentBlock().blockNumber() == 0 && text.startsWith(u"!!")) {
-    setFormat(0, int(text.size()), colours().keyword);
+    setFormat(0, int(text.size()), colors().keyword);
     return;
   }
   for (qsizetype i = 0; i < text.size();) {
@@ -134,7 +134,7 @@ void Highlighter::highlightBlock(const QString &text) {
       if (i + 1 < text.size() && text[i + 1] == u'@')
         panelLine(text, i);
       else
-        setFormat(int(i), int(text.size() - i), colours().comment);
+        setFormat(int(i), int(text.size() - i), colors().comment);
       return;
     }
     if (beginsWord(text[i]))

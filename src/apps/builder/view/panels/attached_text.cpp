@@ -95,7 +95,7 @@ void AttachedText::showVerdict() {
   m_editor->setReadOnly(!chosen);
   QPalette palette = this->palette();
   if (!m_attachment.isRight())
-    palette.setColor(QPalette::WindowText, colours().error);
+    palette.setColor(QPalette::WindowText, colors().error);
   m_state->setPalette(palette);
   m_state->setText(!chosen                  ? tr("choose a program")
                    : m_attachment.isRight() ? tr("the application draws with this text")
@@ -114,7 +114,7 @@ void AttachedText::showMarks() {
   if (const QTextBlock block = m_editor->document()->findBlockByNumber(m_tracedLine - 1);
       m_tracedLine > 0 && block.isValid()) {
     QTextEdit::ExtraSelection mark;
-    mark.format.setBackground(colours().traced);
+    mark.format.setBackground(colors().traced);
     mark.format.setProperty(QTextFormat::FullWidthSelection, true);
     mark.cursor = QTextCursor(block);
     marks << mark;
@@ -122,8 +122,8 @@ void AttachedText::showMarks() {
   for (const Problem &problem : m_attachment.problems()) {
     QTextEdit::ExtraSelection mark;
     mark.format.setUnderlineStyle(QTextCharFormat::WaveUnderline);
-    mark.format.setUnderlineColor(problem.severity == Severity::Error ? colours().error
-                                                                      : colours().warning);
+    mark.format.setUnderlineColor(problem.severity == Severity::Error ? colors().error
+                                                                      : colors().warning);
     mark.cursor = QTextCursor(m_editor->document());
     mark.cursor.setPosition(std::min(int(problem.begin), length));
     mark.cursor.setPosition(std::min(int(std::max(problem.end, problem.begin + 1)), length),

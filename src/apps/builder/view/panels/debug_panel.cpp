@@ -11,7 +11,7 @@ namespace arbiter::builder {
 
 namespace {
 
-enum Column { kLine, kText, kReads, kWrites, kSecond, kError, kColour, kFlags, kColumns };
+enum Column { kLine, kText, kReads, kWrites, kSecond, kError, kColor, kFlags, kColumns };
 
 QIcon swatch(const TraceValue &value) {
   QPixmap pixmap(28, 12);
@@ -95,11 +95,11 @@ void DebugPanel::fill() {
     m_rows->put(i, kWrites, written);
     m_rows->put(i, kSecond, row.second.text(row.mask));
     m_rows->put(i, kError, row.error > 0 ? QString::number(row.error, 'g', 3) : QString());
-    auto *colour = m_rows->put(i, kColour, {});
+    auto *color = m_rows->put(i, kColor, {});
     if (row.value.known)
-      colour->setIcon(swatch(row.value));
+      color->setIcon(swatch(row.value));
     auto *flags = m_rows->put(i, kFlags, row.flags.join(u' '));
-    flags->setForeground(colours().error);
+    flags->setForeground(colors().error);
   }
   showRow(trace.current());
 }

@@ -58,7 +58,7 @@ QString cacheOf(const QString &path) {
 
 QIcon iconOf(const QImage &image) {
   QPixmap pixmap(kSide, kSide);
-  pixmap.fill(colours().line);
+  pixmap.fill(colors().line);
   if (!image.isNull()) {
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);

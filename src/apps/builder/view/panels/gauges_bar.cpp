@@ -27,11 +27,11 @@ QString shortTitle(const Gauge &gauge) {
   return kShort.value(gauge.name, gauge.title);
 }
 
-QColor colourOf(const Gauge &gauge) {
+QColor colorOf(const Gauge &gauge) {
   if (gauge.over() || gauge.overNative())
-    return colours().error;
-  return gauge.nativeUsed * 10 >= gauge.nativeLimit * 9 && gauge.nativeUsed > 0 ? colours().amber
-                                                                                : colours().good;
+    return colors().error;
+  return gauge.nativeUsed * 10 >= gauge.nativeLimit * 9 && gauge.nativeUsed > 0 ? colors().amber
+                                                                                : colors().good;
 }
 
 QString hint(const Gauge &gauge) {
@@ -101,22 +101,22 @@ void GaugesBar::paintEvent(QPaintEvent *) {
   QPainter painter(this);
   const auto &gauges = m_bench.report().gauges;
   if (gauges.isEmpty()) {
-    painter.setPen(colours().dim);
+    painter.setPen(colors().dim);
     painter.drawText(rect().adjusted(kMargin, 0, 0, 0), Qt::AlignVCenter,
                      tr("gauges: no program that loads yet"));
     return;
   }
   for (const Cell &cell : cells(width())) {
     const Gauge &gauge = gauges[cell.gauge];
-    const QColor colour = colourOf(gauge);
-    painter.setPen(gauge.over() || gauge.overNative() ? colour : palette().color(QPalette::Text));
+    const QColor color = colorOf(gauge);
+    painter.setPen(gauge.over() || gauge.overNative() ? color : palette().color(QPalette::Text));
     painter.drawText(cell.box, Qt::AlignLeft | Qt::AlignVCenter, text(gauge));
     QRect bar(cell.box.right() - kBar + 1, cell.box.center().y() - 3, kBar, 7);
-    painter.fillRect(bar, palette().color(QPalette::Button).darker(colours().dark ? 60 : 112));
+    painter.fillRect(bar, palette().color(QPalette::Button).darker(colors().dark ? 60 : 112));
     const double part =
         gauge.nativeLimit > 0 ? std::min(1.0, double(gauge.nativeUsed) / gauge.nativeLimit) : 0;
     bar.setWidth(int(part * kBar + 0.5));
-    painter.fillRect(bar, colour);
+    painter.fillRect(bar, color);
   }
 }
 

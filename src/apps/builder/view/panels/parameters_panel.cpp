@@ -34,7 +34,7 @@ double valueOf(int step, const ParameterLine &line) {
   return std::round(value / digit) * digit;
 }
 
-QColor colourOf(const Parameters &parameters, int line) {
+QColor colorOf(const Parameters &parameters, int line) {
   std::array<float, 3> rgb = {};
   for (int c = 0; c < 3; ++c)
     rgb[std::size_t(c)] = float(std::clamp(parameters.value(line, c), 0.0, 1.0));
@@ -55,7 +55,7 @@ ParametersPanel::ParametersPanel(Workbench &bench) : m_bench(bench) {
 QList<ParametersPanel::Shape> ParametersPanel::shapes() const {
   QList<Shape> all;
   for (const ParameterLine &line : m_bench.parameters().lines()) {
-    Shape shape{line.label, {}, line.colour, line.fixed};
+    Shape shape{line.label, {}, line.color, line.fixed};
     for (const Component &component : line.components)
       shape.components << (component.at >= 0 ? component.index : -1);
     all << shape;
@@ -133,8 +133,8 @@ QWidget *ParametersPanel::head(int line, QWidget *settings) {
   m_refresh <<
       [this, animation, line] { animation->setText(m_bench.parameters().lines()[line].animation); };
   layout->addStretch();
-  if (parameter.colour)
-    addColour(line, layout);
+  if (parameter.color)
+    addColor(line, layout);
   if (settings) {
     auto *open = new QToolButton;
     open->setText(tr("Range..."));
@@ -159,16 +159,16 @@ QWidget *ParametersPanel::head(int line, QWidget *settings) {
   return row;
 }
 
-void ParametersPanel::addColour(int line, QBoxLayout *layout) {
+void ParametersPanel::addColor(int line, QBoxLayout *layout) {
   auto *button = new QPushButton(tr("Colour..."));
   button->setAccessibleName(tr("Colour of %1").arg(m_bench.parameters().lines()[line].label));
   m_refresh << [this, button, line] {
     QPixmap swatch(24, 12);
-    swatch.fill(colourOf(m_bench.parameters(), line));
+    swatch.fill(colorOf(m_bench.parameters(), line));
     button->setIcon(swatch);
   };
   connect(button, &QPushButton::clicked, this, [this, line, button] {
-    const QColor picked = QColorDialog::getColor(colourOf(m_bench.parameters(), line), button);
+    const QColor picked = QColorDialog::getColor(colorOf(m_bench.parameters(), line), button);
     if (picked.isValid())
       m_bench.parameters().set(line, {picked.redF(), picked.greenF(), picked.blueF()});
   });

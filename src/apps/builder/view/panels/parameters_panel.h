@@ -24,7 +24,7 @@ private:
   struct Shape {
     QString label;
     QList<int> components;
-    bool colour = false, fixed = false;
+    bool color = false, fixed = false;
     bool operator==(const Shape &) const = default;
   };
   void read();
@@ -35,7 +35,7 @@ private:
   QWidget *sliderRow(int line, int component);
   QWidget *head(int line, QWidget *settings);
   QWidget *settingsRow(int line);
-  void addColour(int line, QBoxLayout *layout);
+  void addColor(int line, QBoxLayout *layout);
   [[nodiscard]] QList<Shape> shapes() const;
 
   Workbench &m_bench;

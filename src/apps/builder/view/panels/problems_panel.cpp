@@ -36,7 +36,7 @@ void ProblemsPanel::fill() {
                               .arg(problem.file.isEmpty() ? QString() : problem.file + u':')
                               .arg(problem.line)
                               .arg(problem.column);
-    const Colours &c = colours();
+    const Colors &c = colors();
     put(row, 0, place)
         ->setForeground(problem.severity == Severity::Error     ? c.error
                         : problem.severity == Severity::Warning ? c.warning

@@ -265,7 +265,7 @@ void ScenePanel::addState(QFormLayout *form) {
             depthValue(m_settings.depth.isEmpty() ? QStringLiteral("less") : m_settings.depth, on));
       })});
   writes->add({check(
-      tr("colours are written"), "scene-colour", [this] { return m_settings.colourWrite; },
+      tr("colours are written"), "scene-colour", [this] { return m_settings.colorWrite; },
       [this](bool on) {
         write(QStringLiteral("colour"), on ? QStringLiteral("on") : QStringLiteral("off"));
       })});

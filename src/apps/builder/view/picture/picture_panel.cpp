@@ -37,12 +37,12 @@ PicturePanel::PicturePanel(Workbench &bench) : m_bench(bench) {
   connect(&bench.file(), &OpenFile::pathChanged, this, [this] { m_judged = 0; });
   connect(m_view, &PictureView::pixelPicked, this,
           [this](QPoint pixel) { m_bench.debugPixel(pixel); });
-  connect(m_view, &PictureView::pixelHovered, this, [this](QPoint pixel, const QColor &colour) {
+  connect(m_view, &PictureView::pixelHovered, this, [this](QPoint pixel, const QColor &color) {
     m_pixel->setText(
         tr("%1, %2  #%3")
             .arg(pixel.x())
             .arg(pixel.y())
-            .arg(QString::number(colour.rgba() & 0xffffffU, 16).rightJustified(6, u'0')));
+            .arg(QString::number(color.rgba() & 0xffffffU, 16).rightJustified(6, u'0')));
   });
   connect(m_view, &PictureView::pixelLeft, m_pixel, &QLabel::clear);
   connect(m_view, &PictureView::dragged, this, [this](QPointF delta, double distance) {
@@ -155,7 +155,7 @@ void PicturePanel::showState() {
   m_view->setStale(state == PictureState::Wrong || state == PictureState::Held);
   m_banner->setVisible(state == PictureState::Held);
   QPalette amber = palette();
-  amber.setColor(QPalette::Window, colours().traced);
+  amber.setColor(QPalette::Window, colors().traced);
   m_banner->setPalette(amber);
   m_heldWhy->setText(m_bench.statusText());
 }

@@ -36,7 +36,7 @@ void PictureView::setPicture(const QImage &image) {
 void PictureView::tellHovered() {
   const auto pixel = m_hover ? pixelAt(*m_hover) : std::nullopt;
   if (pixel)
-    Q_EMIT pixelHovered(*pixel, colourAt(*pixel));
+    Q_EMIT pixelHovered(*pixel, colorAt(*pixel));
   else if (m_toldHovered)
     Q_EMIT pixelLeft();
   m_toldHovered = pixel.has_value();
@@ -132,7 +132,7 @@ QRectF PictureView::rectOf(QPoint pixel) const {
           scale, scale};
 }
 
-QColor PictureView::colourAt(QPoint pixel) const {
+QColor PictureView::colorAt(QPoint pixel) const {
   const QPoint place(pixel.x(), m_image.height() - 1 - pixel.y());
   return m_image.valid(place) ? m_image.pixelColor(place) : QColor(Qt::transparent);
 }
@@ -149,11 +149,11 @@ QImage PictureView::shown() const {
 
 void PictureView::paintEvent(QPaintEvent *) {
   QPainter painter(this);
-  painter.fillRect(rect(), palette().color(QPalette::Window).darker(colours().dark ? 130 : 108));
+  painter.fillRect(rect(), palette().color(QPalette::Window).darker(colors().dark ? 130 : 108));
   const QImage image = shown();
   const QRectF area = target();
   if (image.isNull() || area.isEmpty()) {
-    painter.setPen(colours().dim);
+    painter.setPen(colors().dim);
     painter.drawText(rect(), Qt::AlignCenter, tr("no picture yet"));
     return;
   }
@@ -170,7 +170,7 @@ void PictureView::paintEvent(QPaintEvent *) {
   painter.setRenderHint(QPainter::SmoothPixmapTransform, zoom() < 1);
   painter.drawImage(area, image);
   if (m_stale) {
-    painter.setPen(QPen(colours().amber, 3));
+    painter.setPen(QPen(colors().amber, 3));
     painter.drawRect(area.adjusted(-2, -2, 2, 2));
   }
   paintSplit(painter);

@@ -38,7 +38,7 @@ public:
   /// Returns the rectangle of a pixel in the widget.
   [[nodiscard]] QRectF rectOf(QPoint pixel) const;
   /// Returns its color; transparent outside.
-  [[nodiscard]] QColor colourAt(QPoint pixel) const;
+  [[nodiscard]] QColor colorAt(QPoint pixel) const;
 
   [[nodiscard]] QSize sizeHint() const override { return {520, 520}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {120, 120}; }
@@ -46,7 +46,7 @@ public:
 Q_SIGNALS:
   void pixelPicked(QPoint pixel);
   /// Reports the pixel under the mouse when the mouse moves or another picture comes.
-  void pixelHovered(QPoint pixel, QColor colour);
+  void pixelHovered(QPoint pixel, QColor color);
   /// Reports that the mouse has left the picture.
   void pixelLeft();
   /// Moves a camera: the right button or Shift and an arrow key turn it, in fractions of the

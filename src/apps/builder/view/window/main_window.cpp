@@ -276,7 +276,7 @@ void MainWindow::showPanel(const QString &name) {
 void MainWindow::setScheme(const QString &name) {
   applyScheme(*qApp, schemeNamed(name));
   QSettings().setValue(QStringLiteral("scheme"), name);
-  m_editor->refreshColours();
+  m_editor->refreshColors();
   showStatus();
   Q_EMIT m_bench.problemsChanged();
 }

@@ -54,9 +54,9 @@ QByteArray bytesOf(const QImage &image) {
   return QByteArray(reinterpret_cast<const char *>(image.constBits()), image.sizeInBytes());
 }
 
-void writeImage(const QString &file, QColor colour) {
+void writeImage(const QString &file, QColor color) {
   QImage image(4, 4, QImage::Format_RGB32);
-  image.fill(colour);
+  image.fill(color);
   ASSERT_TRUE(image.save(file, "PNG"));
 }
 
@@ -254,11 +254,11 @@ TEST_F(Window, ACubeOfSixFilesIsPicked) {
   file.write("!!ARBfp1.0\n#@ size 32 32\nTEMP d;\nMAD d, fragment.texcoord[0], 0.1, {1,0,0,0};\n"
              "TEX result.color, d, texture[0], CUBE;\nEND\n");
   file.close();
-  const QList<QColor> colours{Qt::red, Qt::green, Qt::blue, Qt::cyan, Qt::magenta, Qt::yellow};
+  const QList<QColor> colors{Qt::red, Qt::green, Qt::blue, Qt::cyan, Qt::magenta, Qt::yellow};
   const QStringList faces{QStringLiteral("posx"), QStringLiteral("negx"), QStringLiteral("posy"),
                           QStringLiteral("negy"), QStringLiteral("posz"), QStringLiteral("negz")};
   for (int i = 0; i < 6; ++i)
-    writeImage(folder.filePath(QStringLiteral("room_%1.png").arg(faces[i])), colours[i]);
+    writeImage(folder.filePath(QStringLiteral("room_%1.png").arg(faces[i])), colors[i]);
   window->openPath(main);
   CubeDialog dialog(bench(), 0);
   auto *ok = dialog.findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok);

@@ -20,7 +20,7 @@ constexpr qint64 kPatience = 30000;
 constexpr qint64 kSettle = 700; ///< for requests that follow a picture: advice, thumbnails
 
 /// Reduces the picture to 32 shades a channel without alpha, so that it compresses well.
-QImage withFewColours(const QImage &image) {
+QImage withFewColors(const QImage &image) {
   QImage few = image.convertToFormat(QImage::Format_RGB888);
   for (int y = 0; y < few.height(); ++y) {
     uchar *const row = few.scanLine(y);
@@ -118,7 +118,7 @@ private:
   void take(bool late) {
     QImage image = m_window.grab().toImage();
     if (m_shot.small)
-      image = withFewColours(image);
+      image = withFewColors(image);
     // 0: the smallest file
     const bool written = image.save(m_shot.png, "PNG", m_shot.small ? 0 : -1);
     if (!written)

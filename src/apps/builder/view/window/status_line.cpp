@@ -61,7 +61,7 @@ void StatusLine::showState() {
   QPalette palette = m_state->parentWidget()->palette();
   const PictureState state = m_bench.pictureState();
   if (state == PictureState::Wrong || state == PictureState::Held)
-    palette.setColor(QPalette::WindowText, colours().error);
+    palette.setColor(QPalette::WindowText, colors().error);
   m_state->setPalette(palette);
   const RenderOptions &options = m_bench.renderer().effectiveOptions();
   m_choice->setText(QStringList{

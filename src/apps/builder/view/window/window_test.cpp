@@ -124,7 +124,7 @@ TEST(PictureView, APixelOfTheWidgetIsAPixelOfThePicture) {
         }
       EXPECT_EQ(view.pixelAt({-1, -1}), std::nullopt);
     }
-  EXPECT_EQ(view.colourAt({5, 3}), QColor(Qt::red));
+  EXPECT_EQ(view.colorAt({5, 3}), QColor(Qt::red));
   QPoint picked(-1, -1);
   QObject::connect(&view, &PictureView::pixelPicked, [&](QPoint pixel) { picked = pixel; });
   view.show();
@@ -134,7 +134,7 @@ TEST(PictureView, APixelOfTheWidgetIsAPixelOfThePicture) {
   EXPECT_EQ(picked, QPoint(3, 2)) << "without a mark, from the middle";
 }
 
-TEST(PictureView, TheColourUnderTheMouseIsThePicturesAsItMoves) {
+TEST(PictureView, TheColorUnderTheMouseIsThePicturesAsItMoves) {
   PictureView view;
   view.resize(100, 100);
   QImage image(4, 4, QImage::Format_RGBA8888);
@@ -143,7 +143,7 @@ TEST(PictureView, TheColourUnderTheMouseIsThePicturesAsItMoves) {
   QColor told;
   bool left = false;
   QObject::connect(&view, &PictureView::pixelHovered,
-                   [&](QPoint, const QColor &colour) { told = colour; });
+                   [&](QPoint, const QColor &color) { told = color; });
   QObject::connect(&view, &PictureView::pixelLeft, [&] { left = true; });
   const auto move = [&](QPointF to) {
     QMouseEvent event(QEvent::MouseMove, to, view.mapToGlobal(to), Qt::NoButton, Qt::NoButton,
@@ -166,7 +166,7 @@ TEST(PictureView, TheColourUnderTheMouseIsThePicturesAsItMoves) {
 TEST(Theme, TextsHaveTheContrastOfTheGuideline) {
   for (const Scheme scheme : {Scheme::Light, Scheme::Dark}) {
     applyScheme(*qApp, scheme);
-    const Colours &c = colours();
+    const Colors &c = colors();
     for (const QColor &text :
          {c.text, c.dim, c.error, c.warning, c.note, c.opcode, c.keyword, c.option, c.binding,
           c.name, c.parameter, c.number, c.comment, c.panel})

@@ -262,7 +262,7 @@ TEST(Watch, TheExtentIsOfNumbersThatAreCovered) {
   EXPECT_EQ(extentOf({uncovered()}).covered, 0u);
 }
 
-TEST(Watch, ValuesBecomeColours) {
+TEST(Watch, ValuesBecomeColors) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(
       picturedValues({{0, 1, 2, -1}, {kNan, 0, 0, 0}, uncovered(), {0.5f, 1.5f, -1, 0}}, 0, 2),

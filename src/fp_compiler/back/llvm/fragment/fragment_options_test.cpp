@@ -35,7 +35,7 @@ TEST_P(FragmentTest, WritesSeveralTargets) {
   }
 }
 
-TEST_P(FragmentTest, AppliesFogAndColourSum) {
+TEST_P(FragmentTest, AppliesFogAndColorSum) {
   for (const ir::FogMode mode :
        {ir::FogMode::None, ir::FogMode::Exp, ir::FogMode::Exp2, ir::FogMode::Linear}) {
     ir::Builder b;

@@ -66,7 +66,7 @@ private:
         ++used;
         continue;
       }
-      if (interpolant.attribute == kSecondaryColour)
+      if (interpolant.attribute == kSecondaryColor)
         continue;
       if (interpolant.attribute >= m_program.attributes.size()) {
         add(Rule::Reference,

@@ -57,13 +57,13 @@ Vec4 constantOf(const Constant &constant, const Surroundings &surroundings) {
 
 Vec4 interpolantOf(std::uint16_t attribute, const Surroundings &surroundings) {
   const auto held = [&](float value) { return ir::held(value, surroundings.numerics); };
-  const auto colour = [&](float value) {
-    return surroundings.numerics == Numerics::Fp24 ? fp24::colour(value) : held(value);
+  const auto color = [&](float value) {
+    return surroundings.numerics == Numerics::Fp24 ? fp24::color(value) : held(value);
   };
   if (attribute == kFogCoordinate)
     return {held(surroundings.inputs.fogCoordinate), 0.0f, 0.0f, 1.0f};
-  if (attribute == kSecondaryColour)
-    return each(surroundings.inputs.secondary, colour);
+  if (attribute == kSecondaryColor)
+    return each(surroundings.inputs.secondary, color);
   Vec4 value = {};
   if (attribute < surroundings.inputs.attributes.size())
     value = surroundings.inputs.attributes[attribute];
@@ -74,7 +74,7 @@ Vec4 interpolantOf(std::uint16_t attribute, const Surroundings &surroundings) {
     return each(clipPosition(value), held);
   case ir::AttributeKind::ColorPrimary:
   case ir::AttributeKind::ColorSecondary:
-    return each(value, colour);
+    return each(value, color);
   default:
     return each(value, held);
   }

@@ -138,20 +138,20 @@ bool Emitter::takeItems(const Refs &refs, std::uint8_t components, FlowArgument 
     argument.select = select;
     break;
   }
-  std::array<Ref, 3> colours, alphas;
-  std::size_t colourCount = 0, alphaCount = 0;
+  std::array<Ref, 3> colors, alphas;
+  std::size_t colorCount = 0, alphaCount = 0;
   for (std::size_t c = 0; c < 3; ++c)
     if (components >> c & 1) {
       if (refs[c].component < 3)
-        colours[colourCount++] = refs[c];
+        colors[colorCount++] = refs[c];
       else
         alphas[alphaCount++] = refs[c];
       argument.source[c] = refs[c].index;
     }
-  const Ref &one = colourCount ? colours[0] : alphas[0];
+  const Ref &one = colorCount ? colors[0] : alphas[0];
   if (one.kind == Ref::Kind::Row) {
-    for (std::size_t i = 1; i < colourCount; ++i)
-      if (colours[i].index != one.index)
+    for (std::size_t i = 1; i < colorCount; ++i)
+      if (colors[i].index != one.index)
         return false;
     for (std::size_t i = 0; i < alphaCount; ++i)
       if (alphas[i].index != one.index)
@@ -161,14 +161,14 @@ bool Emitter::takeItems(const Refs &refs, std::uint8_t components, FlowArgument 
     return true;
   }
   argument.bank = FlowArgument::Bank::Item;
-  const std::span<const Ref> colour(colours.data(), colourCount), alpha(alphas.data(), alphaCount);
+  const std::span<const Ref> color(colors.data(), colorCount), alpha(alphas.data(), alphaCount);
   // Check both before either commits: no half of an argument may be joined if the other cannot be.
-  if ((colourCount && !join(colour, false)) || (alphaCount && !join(alpha, false)))
+  if ((colorCount && !join(color, false)) || (alphaCount && !join(alpha, false)))
     return false;
   if (!commit)
     return true;
-  if (colourCount)
-    (void)join(colour, true);
+  if (colorCount)
+    (void)join(color, true);
   return !alphaCount || join(alpha, true);
 }
 

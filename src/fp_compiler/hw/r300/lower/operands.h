@@ -15,7 +15,7 @@ public:
   Value row(Constant::Kind kind, std::uint16_t index);
   /// Returns an attribute that an option of the program reads, such as fog. It is the program's
   /// attribute of that kind. If the program declares none, it is the
-  /// interpolant \p otherwise (kFogCoordinate, kSecondaryColour).
+  /// interpolant \p otherwise (kFogCoordinate, kSecondaryColor).
   Value attributeOr(ir::AttributeKind kind, std::uint16_t otherwise);
 
 private:

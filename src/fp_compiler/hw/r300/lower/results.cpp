@@ -30,16 +30,16 @@ void Results::epilogue() {
   const ir::Options &options = m_program.options;
   if (options.colorSum) {
     const Value secondary =
-        m_operands.attributeOr(ir::AttributeKind::ColorSecondary, kSecondaryColour);
+        m_operands.attributeOr(ir::AttributeKind::ColorSecondary, kSecondaryColor);
     for (std::size_t i = 0; i < m_program.outputs.size(); ++i)
-      if (isColour(i)) {
+      if (isColor(i)) {
         EmitOptions sum;
         sum.toDestination = true;
         sum.cause = Cause::Output;
         m_emit.begin(kNone, outputVariable(i));
-        const Value colour = clamped(outputVariable(i), 7);
+        const Value color = clamped(outputVariable(i), 7);
         m_emit.begin(kNone, outputVariable(i));
-        m_emit.set(outputVariable(i), 7, m_emit.mad(7, colour, literals(1.0f), secondary, sum));
+        m_emit.set(outputVariable(i), 7, m_emit.mad(7, color, literals(1.0f), secondary, sum));
       }
   }
   if (options.fog != ir::FogMode::None)
@@ -75,24 +75,24 @@ void Results::fog() {
   m_emit.begin(kNone, kNoVariable);
   const Value factor = broadcast(fogFactor(), 3);
   for (std::size_t i = 0; i < m_program.outputs.size(); ++i)
-    if (isColour(i)) {
+    if (isColor(i)) {
       EmitOptions options;
       options.toDestination = true;
       options.cause = Cause::Fog;
       m_emit.begin(kNone, outputVariable(i));
-      const Value colour = clamped(outputVariable(i), 15);
-      m_emit.set(outputVariable(i), 15, colour);
+      const Value color = clamped(outputVariable(i), 15);
+      m_emit.set(outputVariable(i), 15, color);
       m_emit.begin(kNone, outputVariable(i));
       m_emit.set(
           outputVariable(i), 7,
-          m_emit.lerp(7, factor, colour, m_operands.row(Constant::Kind::FogColor, 0), options));
+          m_emit.lerp(7, factor, color, m_operands.row(Constant::Kind::FogColor, 0), options));
     }
 }
 
 void Results::outputs() {
   for (std::size_t i = 0; i < m_program.outputs.size(); ++i) {
     const Value &value = m_emit.current(outputVariable(i));
-    if (!isColour(i)) {
+    if (!isColor(i)) {
       depthOutput(value);
       continue;
     }

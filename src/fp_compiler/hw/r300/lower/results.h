@@ -15,7 +15,7 @@ public:
   void outputs();
 
 private:
-  [[nodiscard]] bool isColour(std::size_t output) const {
+  [[nodiscard]] bool isColor(std::size_t output) const {
     return m_program.outputs[output].kind == ir::OutputKind::Color;
   }
   [[nodiscard]] Variable outputVariable(std::size_t output) const {

@@ -126,7 +126,7 @@ private:
   std::string attribute(std::uint16_t index) const {
     if (index == kFogCoordinate)
       return "fog coordinate (f, 0, 0, 1)";
-    if (index == kSecondaryColour)
+    if (index == kSecondaryColor)
       return "secondary colour";
     if (index >= m_program.attributes.size())
       return "?";

@@ -142,7 +142,7 @@ std::string constantText(const ir::Program &program, const Constant &constant) {
 std::string interpolantName(const ir::Program &program, std::uint16_t attribute) {
   if (attribute == kFogCoordinate)
     return "the fog option's coordinate";
-  if (attribute == kSecondaryColour)
+  if (attribute == kSecondaryColor)
     return "the secondary colour that is added";
   return bindingText(program.attributes[attribute]);
 }
