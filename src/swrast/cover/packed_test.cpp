@@ -1,3 +1,4 @@
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <gtest/gtest.h>
@@ -64,7 +65,7 @@ DepthTest g_test;
 bool g_quads = false;
 int g_lanes = 16; ///< lanes of the packed shading function
 
-std::uint32_t g_inBlocks = 0; ///< number of pixels
+std::atomic<std::uint32_t> g_inBlocks = 0; ///< number of pixels; threads count them
 
 void testedBlocks(const abi::FragmentData *data, const abi::Primitive *primitive, const void *items,
                   std::uint32_t count) {
@@ -234,13 +235,13 @@ TEST(Packed, LargeThinShapesArePackedToo) {
   }
   g_inBlocks = 0;
   const Picture expected = drawn(what, false);
-  EXPECT_GT(g_inBlocks, 0u);
+  EXPECT_GT(g_inBlocks.load(), 0u);
   for (const bool queued : {false, true}) {
     g_inBlocks = 0;
     const Picture got = drawn(what, true, queued);
     EXPECT_EQ(got.depth, expected.depth);
     EXPECT_EQ(std::memcmp(got.values.data(), expected.values.data(), got.values.size() * 4), 0);
-    EXPECT_EQ(g_inBlocks, 0u);
+    EXPECT_EQ(g_inBlocks.load(), 0u);
   }
 }
 
