@@ -77,7 +77,7 @@ struct ContextState {
   /// True if the host drew, in the last frame with draws, something that the rasterizer lacks.
   /// Looks and back-off do not count.
   bool lacked = false;
-  /// What the application has been seen to do. It stays.
+  /// Habits of the application, which are noted once and for good.
   struct Habits {
     /// True if pixels that were drawn have been read. They may be compared with others, and hosts
     /// round some colors differently, such as those of few bits. One side must then draw from the

@@ -4,7 +4,7 @@
 /// Starts commands, and this command's own work, under the layer.
 namespace arbiter::tools {
 
-/// What starts a command under the layer.
+/// Starts commands under the layer.
 struct Launch {
   LayerFiles files;
   std::vector<Assignment> environment;

@@ -36,7 +36,7 @@ protected:
     c_like::Dialect dialect;
     bool colors;      ///< r, g, b and a name components
     const char *unit; ///< a texture image unit in a hint
-    /// What is expected of an address register's component, and the hints.
+    /// The expected component of an address register, and the hints.
     const char *addressDot, *addressComponent, *addressHint, *addressAdvice;
   };
   AssemblyParser(const SourceText &source, const CompileOptions &options, const Limits &limits,

@@ -16,7 +16,7 @@ using OpenDrawer =
 ///   pixel.open {..}                   -> {width, height}
 ///   pixel.picture {x, y, width, height} -> {}
 ///   pixel.state {item, index, row}    -> {value: [4 numbers]}
-/// What is drawn comes as memory beside the answer (control/attached.h), in any size.
+/// The answer brings its pixels as memory beside it (control/attached.h), in any size.
 /// \param descriptor of the connected socket, which is then closed
 /// \returns the process's exit code
 [[nodiscard]] int serveDraws(int descriptor, const OpenDrawer &open);
