@@ -12,9 +12,9 @@ struct Life {
   int currentCount = 0;     ///< guarded by the lifecycle's lock
 };
 
-/// The layer's state of one GL context, for entry points, for rooms that watch, and for what makes
-/// contexts. Only the thread that the context is current on uses it. State that other threads may
-/// touch is in the ShareGroup.
+/// The layer's state of one GL context, for entry points and for what makes contexts. Only the
+/// thread that the context is current on uses it. State that other threads may touch is in the
+/// ShareGroup.
 class Context : public RasterContext {
 public:
   struct NullTag {};
@@ -29,7 +29,7 @@ public:
   Life life;
 };
 
-/// Returns the whole of which a lower room has a part.
+/// Returns the whole context that a step belongs to.
 [[nodiscard]] inline Context &wholeOf(ContextHot &context) {
   return static_cast<Context &>(context);
 }

@@ -47,8 +47,8 @@ struct ObservedDraw {
 /// it.
 class DrawObserver {
 public:
-  /// Starts the observation at a frame's end, where the context defers nothing (Context::trueHost).
-  /// `held` is called before a Hold's draw.
+  /// Starts the observation at a frame's end, where the context defers nothing
+  /// (CoreContext::trueHost). `held` is called before a Hold's draw.
   using Held = std::function<void(DrawObserver &, const ObservedDraw &, const Redraw &)>;
   DrawObserver(RasterContext &context, Observation wish, Held held);
   /// Ends the observation at the next frame's end and restores the context, which is current.

@@ -18,9 +18,9 @@ struct Refusal;
 struct ContextHooks {
   /// Deletes this context's linked programs of a program that left its object.
   void (*dropLinkedPrograms)(CoreContext &context, const CompiledProgram &compiled);
-  /// Makes Context::software, once, where the rasterizer is to be used.
+  /// Makes RasterContext::software, once, where the rasterizer is to be used.
   void (*engageRasterizer)(CoreContext &context);
-  /// True if Context::software may come to be made, by the settings and the host.
+  /// True if RasterContext::software may come to be made, by the settings and the host.
   bool (*mayUseRasterizer)(const CoreContext &context);
   /// True if the rasterizer draws now: it is engaged and not backed off.
   bool (*rasterizerDraws)(const CoreContext &context);

@@ -33,7 +33,7 @@ struct ContextHot {
   /// The layer has no part in this context (the null context, OpenGL ES, a core profile). Its entry
   /// points go to the host without a call into state.
   bool passThrough = false;
-  /// The rasterizer is used here (Context::software is not null).
+  /// The rasterizer is used here (RasterContext::software is not null).
   bool softwarePossible = false;
   /// Some images are valid in their shadow alone. A command that lets the host read pixels updates
   /// the host first (state/residency/residency.h).

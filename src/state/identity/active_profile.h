@@ -17,7 +17,7 @@ enum class Target : std::uint8_t;
 [[nodiscard]] const fp::hw::Profile &activeProfile();
 
 /// Returns the numerics that the user asks for: ARBITER_NUMERICS, or else the profile's. A context
-/// may get less, if its host cannot do them (Context::numerics).
+/// may get less, if its host cannot do them (CoreContext::numerics).
 [[nodiscard]] fp::Numerics activeNumerics();
 [[nodiscard]] std::string_view nameOf(fp::Numerics numerics);
 

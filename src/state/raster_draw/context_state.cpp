@@ -53,7 +53,7 @@ void engage(RasterContext &context) {
   context.software->residency.enter(context.drawable);
 }
 
-// The mirror always queries the real host, even while calls are deferred (Context::trueHost).
+// The mirror always queries the real host, even while calls are deferred (CoreContext::trueHost).
 ContextState::ContextState(RasterContext &context)
     : mirror(context.trueHost ? *context.trueHost : *context.host, context.caps,
              context.attributesAlias ? context.aliases.get() : nullptr),

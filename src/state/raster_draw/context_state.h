@@ -12,8 +12,9 @@
 #include "state/residency/residency.h"
 #include "swrast/queue/draw_queue.h"
 
-/// The rasterizer's state of a context. Context::software is null if the rasterizer is not used: on
-/// a GPU host, with ARBITER_BACKEND=host, or in a context without the layer's program targets.
+/// The rasterizer's state of a context. RasterContext::software is null if the rasterizer is not
+/// used: on a GPU host, with ARBITER_BACKEND=host, or in a context without the layer's program
+/// targets.
 namespace arbiter::state {
 struct RasterContext;
 }
@@ -133,11 +134,11 @@ struct ContextState {
   void fellBack(Fallback reason) { ++fallbacks[std::size_t(reason)]; }
 };
 
-/// Creates Context::software once, if it may be used. This happens when a fragment program first
-/// becomes effective, or, unless ARBITER_FIXED_FUNCTION is `programs`, at the first draw of fixed
-/// function. Until then the rasterizer costs nothing.
+/// Creates RasterContext::software once, if it may be used. This happens when a fragment program
+/// first becomes effective, or, unless ARBITER_FIXED_FUNCTION is `programs`, at the first draw of
+/// fixed function. Until then the rasterizer costs nothing.
 void engage(RasterContext &context);
-/// True if the settings and the host allow Context::software to be created.
+/// True if the settings and the host allow RasterContext::software to be created.
 [[nodiscard]] bool mayBeUsed(const RasterContext &context);
 /// Starts to prepare what the context's draws will need, in the background, when it first becomes
 /// current.

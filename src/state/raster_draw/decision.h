@@ -61,7 +61,8 @@ bool conclude(RasterContext &context, const Outcome &outcome);
 void noteDrawn(RasterContext &context, std::uint32_t draws = 1);
 void giveToHost(RasterContext &context, Fallback reason);
 
-/// Returns the context's pipeline, and creates it at the first call. Requires Context::software.
+/// Returns the context's pipeline, and creates it at the first call. Requires
+/// RasterContext::software.
 [[nodiscard]] Pipeline &pipelineOf(RasterContext &context);
 
 } // namespace arbiter::state

@@ -34,7 +34,7 @@ struct Drawable;
 void addNeighbour(RasterContext &context);
 void removeNeighbour(RasterContext &context);
 /// Notes that the host has made the context current with `drawable`, which becomes
-/// Context::drawable. Called before the application goes on.
+/// RasterContext::drawable. Called before the application goes on.
 void becomesCurrent(RasterContext &context, const Drawable &drawable);
 /// Notes that the host takes the context from its thread, or gives it another drawable.
 void ceasesToBeCurrent(RasterContext &context);
