@@ -112,6 +112,8 @@ class Table:
 
     action    {lead: action} of entry_points.toml; `handled` of software.toml is an action too
     offered   {lead: the function of state/handlers/entry/offered.h that tells whether the layer implements it}
+    refused   the leads among them that are errors where the layer offers programs and does not implement them
+    converted {lead: the command of floats whose handler executes it}
     software  {lead: way} of software.toml, or "unknown", for commands without an action
     aliased   the leads that behave differently when attributes alias
     dirty     {lead: [bits of mirror/dirty_bits.h]} of the leads that have any
@@ -136,7 +138,14 @@ class Table:
         for action in ACTIONS:
             for pattern in config.get(action, {}).get("names", []):
                 self._assign(action, pattern, config[action].get("except", []))
-        self.offered = self._read_offered(config["own"]["offered"])
+        own = config["own"]
+        self.offered = self._read_own(own["offered"], "offered")
+        refused = self._read_own(own["refused"], "refused")
+        self.refused = set(refused)
+        if self.refused & set(self.offered):
+            sys.exit("entry_points.toml: [own.refused] has a command of [own.offered]")
+        self.offered |= refused
+        self.converted = self._read_own(own["converted"], "converted")
         self._read_software(software)
         self.needs = [self._canonical(n) for n in config.get("host", {}).get("needs", [])]
         self.members = sorted(set(self.action) | set(self.needs))
@@ -167,18 +176,19 @@ class Table:
                 continue  # a pattern gives way to a row that came before
             self.action[name] = action
 
-    def _read_offered(self, rows):
-        offered = {}
-        for function, patterns in rows.items():
+    def _read_own(self, rows, where):
+        """Returns {lead: key} of a table {key: [patterns]} of commands in [own]."""
+        read = {}
+        for key, patterns in rows.items():
             for pattern in patterns:
                 names = fnmatch.filter(self.commands, pattern)
                 for lead in {self._canonical(name) for name in names}:
-                    if self.action.get(lead) != "own" or lead in offered:
-                        sys.exit(f"entry_points.toml: [own.offered] {lead} is in two rows, or not in [own]")
-                    offered[lead] = function
+                    if self.action.get(lead) != "own" or lead in read:
+                        sys.exit(f"entry_points.toml: [own.{where}] {lead} is in two rows, or not in [own]")
+                    read[lead] = key
                 if not names:
-                    sys.exit(f"entry_points.toml: [own.offered] {pattern} matches nothing in gl.xml")
-        return offered
+                    sys.exit(f"entry_points.toml: [own.{where}] {pattern} matches nothing in gl.xml")
+        return read
 
     def _matches(self, pattern, excluded, where):
         """Returns the leads of the groups that have a name of that pattern."""

@@ -21,11 +21,28 @@ def handlers_header(table):
            "a name that\n/// the host does not have, so that the host raises the error it should.\n"
            "GLuint guardName(Context &context, GLuint name);\n"
            "GLuint guardPipeline(Context &context, GLuint name);\n\n"]
-    for name in sorted(n for n, a in table.action.items() if a in ("own", "handled")):
+    for name in sorted(n for n, a in table.action.items() if a in ("own", "handled") and n not in table.converted):
         command = table.commands[name]
         out.append(f"{command.result} {name}({command.declare(['Context &context'])});\n")
     out.append("\n} // namespace arbiter::state::handlers\n")
     return "".join(out)
+
+
+def handler_call(table, command):
+    """Returns the call of the command's handler, or of the handler of floats with the arguments converted."""
+    context = "static_cast<Context &>(*t)"
+    if command.name not in table.converted:
+        return f"handlers::{command.name}({command.arguments([context])})"
+    floats = table.commands[table.converted[command.name]]
+    same = [name for (_, name, _), (_, other, _) in zip(command.params, floats.params) if name == other]
+    values = [name for _, name, _ in command.params[len(same):]]
+    wanted = len(floats.params) - len(same)
+    if len(values) == 1:
+        values = [f"{values[0]}[{i}]" for i in range(wanted)]
+    if len(values) != wanted:
+        sys.exit(f"entry_points.toml: [own.converted] {command.name} has other values than {floats.name}")
+    arguments = [context, *same, *(f"GLfloat({value})" for value in values)]
+    return f"handlers::{floats.name}({', '.join(arguments)})"
 
 
 def guarded(command, statements):
@@ -109,7 +126,7 @@ def thunks(table, command, action, symbol):
         return "", (lead + dirty + f"  if (!t->softwareListens) [[likely]]\n    {host_way}\n"
                     + guarded(command, f"  {handled}\n"))
     if action == "own":
-        handled = f"{give}handlers::{name}({command.arguments(['static_cast<Context &>(*t)'])});"
+        handled = f"{give}{handler_call(table, command)};"
         if name in table.config["own"]["straight"]:
             return straight(command, symbol, dirty, call, guarded(command, f"  {handled}\n"))
         handled = dirty + guarded(command, f"  {handled}\n")
@@ -117,11 +134,13 @@ def thunks(table, command, action, symbol):
             return "", lead + handled
         hosts = "t->passThrough"
         if name in table.offered:
-            hosts += f" || !arbiter::state::offered::{table.offered[name]}(here())"
-        if result == "void":
-            return "", lead + (f"  if ({hosts}) [[unlikely]] {{\n"
-                               f"    {call}\n    return;\n  }}\n{handled}")
-        return "", lead + f"  if ({hosts}) [[unlikely]]\n    {call}\n{handled}"
+            hosts += f" || !state::offered::{table.offered[name]}(here())"
+        refusal = ""
+        if name in table.refused:
+            refusal = (f'    if (!t->passThrough && state::offered::refuses(here(), "{name}: the profile does not have it"))\n'
+                       f"      return{'' if result == 'void' else ' {}'};\n")
+        leave = "    return;\n" if result == "void" else ""
+        return "", lead + f"  if ({hosts}) [[unlikely]] {{\n{refusal}    {call}\n{leave}  }}\n{handled}"
     if action == "guard":
         lines = "".join(f"  {n} = handlers::{GUARDS[kind]}(here(), {n});\n" for t, n, kind in command.params
                         if kind in GUARDS and "*" not in t)

@@ -80,31 +80,6 @@ void NamedProgramLocalParameter4fEXT(Context &context, GLuint program, GLenum ta
   set(context, *row, program, index, {x, y, z, w});
 }
 
-void NamedProgramLocalParameter4fvEXT(Context &context, GLuint program, GLenum target, GLuint index,
-                                      const GLfloat *params) {
-  const ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->NamedProgramLocalParameter4fvEXT(program, target, index, params);
-  set(context, *row, program, index, {params[0], params[1], params[2], params[3]});
-}
-
-void NamedProgramLocalParameter4dEXT(Context &context, GLuint program, GLenum target, GLuint index,
-                                     GLdouble x, GLdouble y, GLdouble z, GLdouble w) {
-  const ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->NamedProgramLocalParameter4dEXT(program, target, index, x, y, z, w);
-  set(context, *row, program, index, {GLfloat(x), GLfloat(y), GLfloat(z), GLfloat(w)});
-}
-
-void NamedProgramLocalParameter4dvEXT(Context &context, GLuint program, GLenum target, GLuint index,
-                                      const GLdouble *params) {
-  const ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->NamedProgramLocalParameter4dvEXT(program, target, index, params);
-  set(context, *row, program, index,
-      {GLfloat(params[0]), GLfloat(params[1]), GLfloat(params[2]), GLfloat(params[3])});
-}
-
 void NamedProgramLocalParameters4fvEXT(Context &context, GLuint program, GLenum target,
                                        GLuint index, GLsizei count, const GLfloat *params) {
   const ProgramTarget *const row = rowOf(context, target);

@@ -97,9 +97,6 @@ void DisableClientState(Context &context, GLenum array) {
 
 void VertexAttribPointerNV(Context &context, GLuint index, GLint fsize, GLenum type, GLsizei stride,
                            const void *pointer) {
-  if (!context.nv)
-    return absentCommand(context, context.host->VertexAttribPointerNV, index, fsize, type, stride,
-                         pointer);
   if (!outsideBeginEnd(context, "VertexAttribPointer between Begin and End"))
     return;
   if (const GLenum error = pointerError(index, fsize, type, stride); error != GL_NO_ERROR)
@@ -110,23 +107,18 @@ void VertexAttribPointerNV(Context &context, GLuint index, GLint fsize, GLenum t
 }
 
 void GetVertexAttribfvNV(Context &context, GLuint index, GLenum pname, GLfloat *params) {
-  commandOfNv(context, getAttribute<GLfloat>, context.host->GetVertexAttribfvNV, index, pname,
-              params);
+  getAttribute<GLfloat>(context, index, pname, params);
 }
 
 void GetVertexAttribdvNV(Context &context, GLuint index, GLenum pname, GLdouble *params) {
-  commandOfNv(context, getAttribute<GLdouble>, context.host->GetVertexAttribdvNV, index, pname,
-              params);
+  getAttribute<GLdouble>(context, index, pname, params);
 }
 
 void GetVertexAttribivNV(Context &context, GLuint index, GLenum pname, GLint *params) {
-  commandOfNv(context, getAttribute<GLint>, context.host->GetVertexAttribivNV, index, pname,
-              params);
+  getAttribute<GLint>(context, index, pname, params);
 }
 
 void GetVertexAttribPointervNV(Context &context, GLuint index, GLenum pname, void **pointer) {
-  if (!context.nv)
-    return absentCommand(context, context.host->GetVertexAttribPointervNV, index, pname, pointer);
   if (!outsideBeginEnd(context, "GetVertexAttribPointer between Begin and End"))
     return;
   if (pname != GL_ATTRIB_ARRAY_POINTER_NV)

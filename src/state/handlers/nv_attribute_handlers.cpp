@@ -43,16 +43,11 @@ void setSeveral(Context &context, GLuint index, GLsizei count, const T *v) {
 
 namespace handlers {
 
-// If NVIDIA's languages are not offered, the commands are the host's, if it has them.
 #define ATTRIBUTES(n, letter, T)                                                                   \
   void VertexAttrib##n##letter##vNV(Context &context, GLuint index, const T *v) {                  \
-    if (!context.nv)                                                                               \
-      return context.host->VertexAttrib##n##letter##vNV(index, v);                                 \
     setFrom<n>(context, index, v);                                                                 \
   }                                                                                                \
   void VertexAttribs##n##letter##vNV(Context &context, GLuint index, GLsizei count, const T *v) {  \
-    if (!context.nv)                                                                               \
-      return context.host->VertexAttribs##n##letter##vNV(index, count, v);                         \
     setSeveral<n>(context, index, count, v);                                                       \
   }
 #define ATTRIBUTES_OF_TYPE(letter, T)                                                              \
@@ -61,25 +56,17 @@ namespace handlers {
   ATTRIBUTES(3, letter, T)                                                                         \
   ATTRIBUTES(4, letter, T)                                                                         \
   void VertexAttrib1##letter##NV(Context &context, GLuint index, T x) {                            \
-    if (!context.nv)                                                                               \
-      return context.host->VertexAttrib1##letter##NV(index, x);                                    \
     setFrom<1>(context, index, &x);                                                                \
   }                                                                                                \
   void VertexAttrib2##letter##NV(Context &context, GLuint index, T x, T y) {                       \
-    if (!context.nv)                                                                               \
-      return context.host->VertexAttrib2##letter##NV(index, x, y);                                 \
     const T v[] = {x, y};                                                                          \
     setFrom<2>(context, index, v);                                                                 \
   }                                                                                                \
   void VertexAttrib3##letter##NV(Context &context, GLuint index, T x, T y, T z) {                  \
-    if (!context.nv)                                                                               \
-      return context.host->VertexAttrib3##letter##NV(index, x, y, z);                              \
     const T v[] = {x, y, z};                                                                       \
     setFrom<3>(context, index, v);                                                                 \
   }                                                                                                \
   void VertexAttrib4##letter##NV(Context &context, GLuint index, T x, T y, T z, T w) {             \
-    if (!context.nv)                                                                               \
-      return context.host->VertexAttrib4##letter##NV(index, x, y, z, w);                           \
     const T v[] = {x, y, z, w};                                                                    \
     setFrom<4>(context, index, v);                                                                 \
   }
@@ -92,8 +79,6 @@ ATTRIBUTES(4, ub, GLubyte)
 #undef ATTRIBUTES
 
 void VertexAttrib4ubNV(Context &context, GLuint index, GLubyte x, GLubyte y, GLubyte z, GLubyte w) {
-  if (!context.nv)
-    return context.host->VertexAttrib4ubNV(index, x, y, z, w);
   const GLubyte v[] = {x, y, z, w};
   setFrom<4>(context, index, v);
 }

@@ -119,15 +119,10 @@ namespace handlers {
 #define MAPS(letter, T)                                                                            \
   void Map1##letter(Context &context, GLenum target, T u1, T u2, GLint stride, GLint order,        \
                     const T *points) {                                                             \
-    if (!context.nv)                                                                               \
-      return context.host->Map1##letter(target, u1, u2, stride, order, points);                    \
     define<T>(context, target, {u1, u2, stride, order}, nullptr, points);                          \
   }                                                                                                \
   void Map2##letter(Context &context, GLenum target, T u1, T u2, GLint ustride, GLint uorder,      \
                     T v1, T v2, GLint vstride, GLint vorder, const T *points) {                    \
-    if (!context.nv)                                                                               \
-      return context.host->Map2##letter(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder,  \
-                                        points);                                                   \
     const Side<T> v{v1, v2, vstride, vorder};                                                      \
     define<T>(context, target, {u1, u2, ustride, uorder}, &v, points);                             \
   }                                                                                                \
@@ -144,20 +139,14 @@ MAPS(d, GLdouble)
 #undef MAPS
 
 void GetMapfv(Context &context, GLenum target, GLenum query, GLfloat *v) {
-  if (!context.nv)
-    return context.host->GetMapfv(target, query, v);
   getMap(context, target, query, v);
 }
 
 void GetMapdv(Context &context, GLenum target, GLenum query, GLdouble *v) {
-  if (!context.nv)
-    return context.host->GetMapdv(target, query, v);
   getMap(context, target, query, v);
 }
 
 void GetMapiv(Context &context, GLenum target, GLenum query, GLint *v) {
-  if (!context.nv)
-    return context.host->GetMapiv(target, query, v);
   getMap(context, target, query, v);
 }
 

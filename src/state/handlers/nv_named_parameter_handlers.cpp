@@ -46,44 +46,17 @@ namespace handlers {
 
 void ProgramNamedParameter4fNV(Context &context, GLuint id, GLsizei len, const GLubyte *name,
                                GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
-  if (!context.nv)
-    return absentCommand(context, context.host->ProgramNamedParameter4fNV, id, len, name, x, y, z,
-                         w);
   setNamed(context, id, len, name, {x, y, z, w});
-}
-
-void ProgramNamedParameter4dNV(Context &context, GLuint id, GLsizei len, const GLubyte *name,
-                               GLdouble x, GLdouble y, GLdouble z, GLdouble w) {
-  if (!context.nv)
-    return absentCommand(context, context.host->ProgramNamedParameter4dNV, id, len, name, x, y, z,
-                         w);
-  setNamed(context, id, len, name, {GLfloat(x), GLfloat(y), GLfloat(z), GLfloat(w)});
-}
-
-void ProgramNamedParameter4fvNV(Context &context, GLuint id, GLsizei len, const GLubyte *name,
-                                const GLfloat *v) {
-  if (!context.nv)
-    return absentCommand(context, context.host->ProgramNamedParameter4fvNV, id, len, name, v);
-  setNamed(context, id, len, name, {v[0], v[1], v[2], v[3]});
-}
-
-void ProgramNamedParameter4dvNV(Context &context, GLuint id, GLsizei len, const GLubyte *name,
-                                const GLdouble *v) {
-  if (!context.nv)
-    return absentCommand(context, context.host->ProgramNamedParameter4dvNV, id, len, name, v);
-  setNamed(context, id, len, name, {GLfloat(v[0]), GLfloat(v[1]), GLfloat(v[2]), GLfloat(v[3])});
 }
 
 void GetProgramNamedParameterfvNV(Context &context, GLuint id, GLsizei len, const GLubyte *name,
                                   GLfloat *params) {
-  commandOfNv(context, getNamed<GLfloat>, context.host->GetProgramNamedParameterfvNV, id, len, name,
-              params);
+  getNamed<GLfloat>(context, id, len, name, params);
 }
 
 void GetProgramNamedParameterdvNV(Context &context, GLuint id, GLsizei len, const GLubyte *name,
                                   GLdouble *params) {
-  commandOfNv(context, getNamed<GLdouble>, context.host->GetProgramNamedParameterdvNV, id, len,
-              name, params);
+  getNamed<GLdouble>(context, id, len, name, params);
 }
 
 } // namespace handlers

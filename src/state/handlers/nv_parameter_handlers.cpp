@@ -74,55 +74,27 @@ namespace handlers {
 
 void ProgramParameter4fNV(Context &context, GLenum target, GLuint index, GLfloat x, GLfloat y,
                           GLfloat z, GLfloat w) {
-  if (!context.nv)
-    return absentCommand(context, context.host->ProgramParameter4fNV, target, index, x, y, z, w);
   setParameters(context, target, index, {x, y, z, w});
-}
-
-void ProgramParameter4dNV(Context &context, GLenum target, GLuint index, GLdouble x, GLdouble y,
-                          GLdouble z, GLdouble w) {
-  if (!context.nv)
-    return absentCommand(context, context.host->ProgramParameter4dNV, target, index, x, y, z, w);
-  setParameters(context, target, index, Vec4{GLfloat(x), GLfloat(y), GLfloat(z), GLfloat(w)});
-}
-
-void ProgramParameter4fvNV(Context &context, GLenum target, GLuint index, const GLfloat *v) {
-  if (!context.nv)
-    return absentCommand(context, context.host->ProgramParameter4fvNV, target, index, v);
-  setParameters(context, target, index, Vec4{v[0], v[1], v[2], v[3]});
-}
-
-void ProgramParameter4dvNV(Context &context, GLenum target, GLuint index, const GLdouble *v) {
-  if (!context.nv)
-    return absentCommand(context, context.host->ProgramParameter4dvNV, target, index, v);
-  setParameters(context, target, index,
-                Vec4{GLfloat(v[0]), GLfloat(v[1]), GLfloat(v[2]), GLfloat(v[3])});
 }
 
 void ProgramParameters4fvNV(Context &context, GLenum target, GLuint index, GLsizei count,
                             const GLfloat *v) {
-  if (!context.nv)
-    return absentCommand(context, context.host->ProgramParameters4fvNV, target, index, count, v);
   setParameters(context, target, index, count, gatherParameters(count, v));
 }
 
 void ProgramParameters4dvNV(Context &context, GLenum target, GLuint index, GLsizei count,
                             const GLdouble *v) {
-  if (!context.nv)
-    return absentCommand(context, context.host->ProgramParameters4dvNV, target, index, count, v);
   setParameters(context, target, index, count, gatherParameters(count, v));
 }
 
 void GetProgramParameterfvNV(Context &context, GLenum target, GLuint index, GLenum pname,
                              GLfloat *params) {
-  commandOfNv(context, getParameter<GLfloat>, context.host->GetProgramParameterfvNV, target, index,
-              pname, params);
+  getParameter<GLfloat>(context, target, index, pname, params);
 }
 
 void GetProgramParameterdvNV(Context &context, GLenum target, GLuint index, GLenum pname,
                              GLdouble *params) {
-  commandOfNv(context, getParameter<GLdouble>, context.host->GetProgramParameterdvNV, target, index,
-              pname, params);
+  getParameter<GLdouble>(context, target, index, pname, params);
 }
 
 } // namespace handlers

@@ -52,8 +52,6 @@ namespace handlers {
 
 void LoadProgramNV(Context &context, GLenum target, GLuint id, GLsizei len,
                    const GLubyte *program) {
-  if (!context.nv)
-    return absentCommand(context, context.host->LoadProgramNV, target, id, len, program);
   if (!outsideBeginEnd(context, "LoadProgram between Begin and End"))
     return;
   noteProgramApiUse(context);
@@ -83,8 +81,6 @@ void BindProgramNV(Context &context, GLenum target, GLuint id) {
 }
 
 void ExecuteProgramNV(Context &context, GLenum target, GLuint id, const GLfloat *params) {
-  if (!context.nv)
-    return absentCommand(context, context.host->ExecuteProgramNV, target, id, params);
   if (!outsideBeginEnd(context, "ExecuteProgram between Begin and End"))
     return;
   Vec4 input{};
@@ -98,9 +94,7 @@ void ExecuteProgramNV(Context &context, GLenum target, GLuint id, const GLfloat 
 }
 
 GLboolean AreProgramsResidentNV(Context &context, GLsizei n, const GLuint *programs,
-                                GLboolean *residences) {
-  if (!context.nv)
-    return absentCommand(context, context.host->AreProgramsResidentNV, n, programs, residences);
+                                GLboolean * /*residences*/) {
   if (!outsideBeginEnd(context, "AreProgramsResident between Begin and End"))
     return GL_FALSE;
   const bool allExist =
@@ -112,8 +106,6 @@ GLboolean AreProgramsResidentNV(Context &context, GLsizei n, const GLuint *progr
 }
 
 void RequestResidentProgramsNV(Context &context, GLsizei n, const GLuint *programs) {
-  if (!context.nv)
-    return absentCommand(context, context.host->RequestResidentProgramsNV, n, programs);
   if (!outsideBeginEnd(context, "RequestResidentPrograms between Begin and End"))
     return;
   if (context.listMode)
@@ -123,8 +115,6 @@ void RequestResidentProgramsNV(Context &context, GLsizei n, const GLuint *progra
 }
 
 void GetProgramivNV(Context &context, GLuint id, GLenum pname, GLint *params) {
-  if (!context.nv)
-    return absentCommand(context, context.host->GetProgramivNV, id, pname, params);
   const auto object = queried(context, id, "GetProgramiv: the id is no program's");
   if (!object || !params)
     return;
@@ -145,8 +135,6 @@ void GetProgramivNV(Context &context, GLuint id, GLenum pname, GLint *params) {
 }
 
 void GetProgramStringNV(Context &context, GLuint id, GLenum pname, GLubyte *program) {
-  if (!context.nv)
-    return absentCommand(context, context.host->GetProgramStringNV, id, pname, program);
   const auto object = queried(context, id, "GetProgramString: the id is no program's");
   if (!object)
     return;

@@ -15,8 +15,6 @@ namespace arbiter::state::handlers {
 
 void TrackMatrixNV(Context &context, GLenum target, GLuint address, GLenum matrix,
                    GLenum transform) {
-  if (!context.nv)
-    return absentCommand(context, context.host->TrackMatrixNV, target, address, matrix, transform);
   if (!outsideBeginEnd(context, "TrackMatrix between Begin and End"))
     return;
   if (context.listMode)
@@ -30,8 +28,6 @@ void TrackMatrixNV(Context &context, GLenum target, GLuint address, GLenum matri
 
 void GetTrackMatrixivNV(Context &context, GLenum target, GLuint address, GLenum pname,
                         GLint *params) {
-  if (!context.nv)
-    return absentCommand(context, context.host->GetTrackMatrixivNV, target, address, pname, params);
   if (!outsideBeginEnd(context, "GetTrackMatrix between Begin and End"))
     return;
   const bool matrix = pname == GL_TRACK_MATRIX_NV;

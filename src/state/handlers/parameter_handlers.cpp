@@ -18,11 +18,6 @@ namespace arbiter::state {
 
 namespace {
 
-Vec4 fromDoubles(const GLdouble *v) {
-  return {GLfloat(v[0]), GLfloat(v[1]), GLfloat(v[2]), GLfloat(v[3])};
-}
-Vec4 fromFloats(const GLfloat *v) { return {v[0], v[1], v[2], v[3]}; }
-
 void recordParameters(Context &context, Command::Kind kind, const ProgramTarget &row, GLuint index,
                       GLsizei count, const Vec4 *values) {
   Command command{.kind = kind, .target = row.info().name, .name = index};
@@ -116,27 +111,6 @@ void ProgramEnvParameter4fARB(Context &context, GLenum target, GLuint index, GLf
   context.host->ProgramEnvParameter4fARB(target, index, x, y, z, w);
 }
 
-void ProgramEnvParameter4fvARB(Context &context, GLenum target, GLuint index,
-                               const GLfloat *params) {
-  if (ProgramTarget *const row = rowOf(context, target))
-    return env(context, *row, index, fromFloats(params));
-  context.host->ProgramEnvParameter4fvARB(target, index, params);
-}
-
-void ProgramEnvParameter4dARB(Context &context, GLenum target, GLuint index, GLdouble x, GLdouble y,
-                              GLdouble z, GLdouble w) {
-  if (ProgramTarget *const row = rowOf(context, target))
-    return env(context, *row, index, {GLfloat(x), GLfloat(y), GLfloat(z), GLfloat(w)});
-  context.host->ProgramEnvParameter4dARB(target, index, x, y, z, w);
-}
-
-void ProgramEnvParameter4dvARB(Context &context, GLenum target, GLuint index,
-                               const GLdouble *params) {
-  if (ProgramTarget *const row = rowOf(context, target))
-    return env(context, *row, index, fromDoubles(params));
-  context.host->ProgramEnvParameter4dvARB(target, index, params);
-}
-
 void ProgramEnvParameters4fvEXT(Context &context, GLenum target, GLuint index, GLsizei count,
                                 const GLfloat *params) {
   ProgramTarget *const row = rowOf(context, target);
@@ -152,27 +126,6 @@ void ProgramLocalParameter4fARB(Context &context, GLenum target, GLuint index, G
   if (ProgramTarget *const row = rowOf(context, target))
     return local(context, *row, index, {x, y, z, w});
   context.host->ProgramLocalParameter4fARB(target, index, x, y, z, w);
-}
-
-void ProgramLocalParameter4fvARB(Context &context, GLenum target, GLuint index,
-                                 const GLfloat *params) {
-  if (ProgramTarget *const row = rowOf(context, target))
-    return local(context, *row, index, fromFloats(params));
-  context.host->ProgramLocalParameter4fvARB(target, index, params);
-}
-
-void ProgramLocalParameter4dARB(Context &context, GLenum target, GLuint index, GLdouble x,
-                                GLdouble y, GLdouble z, GLdouble w) {
-  if (ProgramTarget *const row = rowOf(context, target))
-    return local(context, *row, index, {GLfloat(x), GLfloat(y), GLfloat(z), GLfloat(w)});
-  context.host->ProgramLocalParameter4dARB(target, index, x, y, z, w);
-}
-
-void ProgramLocalParameter4dvARB(Context &context, GLenum target, GLuint index,
-                                 const GLdouble *params) {
-  if (ProgramTarget *const row = rowOf(context, target))
-    return local(context, *row, index, fromDoubles(params));
-  context.host->ProgramLocalParameter4dvARB(target, index, params);
 }
 
 void ProgramLocalParameters4fvEXT(Context &context, GLenum target, GLuint index, GLsizei count,

@@ -1,5 +1,6 @@
 #include "state/handlers/entry/offered.h"
 
+#include "state/core/errors.h"
 #include "state/era/era_state.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
@@ -15,5 +16,12 @@ bool appleFences(const ProgramContext &context) {
   return context.era && context.era->offered.appleFence;
 }
 bool bumpMaps(const ProgramContext &context) { return hasBumpMaps(context); }
+
+bool refuses(ProgramContext &context, const char *why) {
+  if (!context.offered)
+    return false;
+  raise(context, GL_INVALID_OPERATION, why);
+  return true;
+}
 
 } // namespace arbiter::state::offered

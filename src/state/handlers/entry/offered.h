@@ -21,5 +21,14 @@ namespace arbiter::state::offered {
 [[nodiscard]] bool nvFences(const ProgramContext &context);
 [[nodiscard]] bool appleFences(const ProgramContext &context);
 [[nodiscard]] bool bumpMaps(const ProgramContext &context); ///< ATI_envmap_bumpmap
+/// NV_vertex_program and the extensions that build on it.
+[[nodiscard]] inline bool nvLanguages(const ProgramContext &context) {
+  return context.nv != nullptr;
+}
+
+/// Raises GL_INVALID_OPERATION and returns true if the layer offers programs in the context,
+/// because the profile's card does not have the command then. Returns false if the host draws all
+/// programs, and has to have the command ([own.refused]).
+[[nodiscard]] bool refuses(ProgramContext &context, const char *why);
 
 } // namespace arbiter::state::offered

@@ -63,8 +63,8 @@ inline void noteMatrixMode(RasterContext &context, GLenum mode) {
 /// one of these was named, the layer evaluates too. Meshes are draws.
 #define ARBITER_MAP(name)                                                                          \
   template <typename... Arguments>                                                                 \
-  [[nodiscard]] bool name(RasterContext &, GLenum target, Arguments...) {                          \
-    return target - GL_MAP1_VERTEX_ATTRIB0_4_NV >= 32u;                                            \
+  [[nodiscard]] bool name(RasterContext &context, GLenum target, Arguments...) {                   \
+    return target - GL_MAP1_VERTEX_ATTRIB0_4_NV >= 32u || !context.nv;                             \
   }
 ARBITER_MAP(Map1d)
 ARBITER_MAP(Map1f)

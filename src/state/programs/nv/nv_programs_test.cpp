@@ -311,17 +311,6 @@ TEST(NvExecute, Errors) {
   EXPECT_EQ(execute(kNvState, 102), kNoError);
 }
 
-TEST(NvAbsent, WithoutNvidiasLanguagesTheCommandsAreErrors) {
-  FakeHost host; // its GLSL lacks features that NVIDIA's languages need
-  const CurrentContext context(host);
-  ASSERT_FALSE(context->nv);
-  loadNv(*context, kNvVertex, 101, kVp);
-  EXPECT_EQ(error(*context), kOperation);
-  handlers::TrackMatrixNV(*context, kNvVertex, 0, GL_MODELVIEW, GL_IDENTITY_NV);
-  EXPECT_EQ(error(*context), kOperation);
-  EXPECT_EQ(host.count("ProgramString"), 0);
-}
-
 TEST(NvAbsent, BindProgramIsTheArbsByAnotherName) {
   FakeHost host;
   const CurrentContext context(host);

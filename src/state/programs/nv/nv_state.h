@@ -6,7 +6,6 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-#include "state/core/errors.h"
 #include "state/programs/nv/evaluation.h"
 #include "state/programs/program_context.h"
 
@@ -32,26 +31,5 @@ struct NvState {
   std::unique_ptr<std::array<EvaluatorMap, kEvaluatorMaps>> maps;
   std::unique_ptr<Evaluation> evaluation; ///< maps since the last Begin; null if the host evaluates
 };
-
-/// Handles a command of NVIDIA's in a context that does not offer it. It is passed to the host if
-/// the host draws all programs. Otherwise it is an error, because the profile's card does not have
-/// it.
-template <typename Result, typename... Parameters, typename... Arguments>
-Result absentCommand(ProgramContext &context, Result (*host)(Parameters...),
-                     Arguments... arguments) {
-  if (!context.offered)
-    return host(arguments...);
-  raise(context, GL_INVALID_OPERATION, "a command of NV_vertex_program, which is not offered");
-  return Result();
-}
-
-/// Executes `own` in a context that offers NVIDIA's commands, and absentCommand() in others.
-template <typename Context, typename... Parameters, typename... Arguments>
-void commandOfNv(Context &context, void (*own)(Context &, Parameters...),
-                 void (*host)(Parameters...), Arguments... arguments) {
-  if (!context.nv)
-    return absentCommand(context, host, arguments...);
-  own(context, arguments...);
-}
 
 } // namespace arbiter::state
