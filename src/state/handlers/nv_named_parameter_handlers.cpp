@@ -4,6 +4,7 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/context/context.h"
+#include "state/core/errors.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/nv/nv_programs.h"
 #include "state/programs/nv/nv_state.h"

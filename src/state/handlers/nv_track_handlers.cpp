@@ -3,6 +3,7 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/context/context.h"
+#include "state/core/errors.h"
 #include "state/imaging/imaging_state.h"
 #include "state/lists/list_compiler.h"
 #include "state/pixel_commands/imaging_commands.h"

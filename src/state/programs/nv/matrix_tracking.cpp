@@ -1,4 +1,5 @@
 #include "state/programs/nv/matrix_tracking.h"
+#include "state/core/errors.h"
 
 #include <algorithm>
 #include <bit>
