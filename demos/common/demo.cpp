@@ -27,7 +27,9 @@ bool reportGlErrors(int frame) {
   return any;
 }
 
-bool verifyFrame(Demo &demo, const Image &picture, int frame, int &maxError, std::size_t &beyond) {
+/// Compares a frame with its reference, which goes to \p file if that has a name.
+bool verifyFrame(Demo &demo, const Image &picture, int frame, const std::string &file,
+                 int &maxError, std::size_t &beyond) {
   const Tolerance tolerance = demo.tolerance();
   const Image reference = demo.reference(picture.width, picture.height, frame);
   const Difference difference = compare(picture, reference, tolerance);
@@ -40,7 +42,7 @@ bool verifyFrame(Demo &demo, const Image &picture, int frame, int &maxError, std
                  "frame %d: %zu pixels are wrong, worst at (%d, %d): (%g %g %g), not (%g %g %g)\n",
                  frame, difference.beyond, x, y, is.r, is.g, is.b, should.r, should.g, should.b);
   }
-  return difference.ok;
+  return (file.empty() || writePng(reference, file)) && difference.ok;
 }
 
 int drawFrames(Demo &demo, Surface &surface, const Options &options) {
@@ -56,7 +58,7 @@ int drawFrames(Demo &demo, Surface &surface, const Options &options) {
     if (options.verify || frame + 1 == frames)
       picture = surface.readPixels();
     if (options.verify)
-      ok = verifyFrame(demo, picture, frame, maxError, beyond) && ok;
+      ok = verifyFrame(demo, picture, frame, options.reference, maxError, beyond) && ok;
     surface.present();
   }
   if (options.verify) {

@@ -22,7 +22,8 @@ struct Options {
   int height = 0;
   int frames = 0; ///< 0: the demo's own number, or until the window closes
   std::string out;
-  std::string program; ///< a file that replaces the built-in text
+  std::string reference; ///< a file for what verify compares the last frame with
+  std::string program;   ///< a file that replaces the built-in text
   bool headless = false;
   bool pbuffer = false;
   bool verify = false;

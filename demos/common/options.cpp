@@ -68,6 +68,9 @@ bool parseOptions(Demo &demo, int argc, char **argv, Options &options, int &exit
                "with --headless: a pbuffer, not a framebuffer object");
   app.add_flag("--verify", options.verify,
                "compare every frame with a plain C++ computation of it");
+  app.add_option("--reference", options.reference,
+                 "with --verify: write the last frame so computed")
+      ->type_name("FILE.png");
   app.add_flag("--bench", options.bench, "print the median time of a frame as JSON");
   app.add_flag("--paced", options.paced,
                "measure as --bench does, for each line of input the number of frames it says, so "

@@ -1,7 +1,7 @@
 // usage: gallery_test ARBITER FOLDER WAYS [DOCUMENT]
 // Draws every document of the gallery by `arbiter draw`, and compares each pixel with the
 // compiler's interpreter. WAYS are some of bare,host,swrast: the bare host, and the back ends of
-// the layer. GALLERY_KEEP names a folder for pictures that differ.
+// the layer. GALLERY_KEEP names a folder for the pictures and their references.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -148,8 +148,7 @@ private:
     std::printf("%-24s %-6s largest difference %3d of %2d, beyond it %4zu pixels of %3.0f%s\n",
                 each.file, way.c_str(), difference.largest, each.levels, difference.beyond, most,
                 good ? "" : "  FAILED");
-    if (!good)
-      keep(each, way, *drawn, reference);
+    keep(each, way, *drawn, reference);
     return good;
   }
 
