@@ -7,6 +7,7 @@ usage: docs/generate.py            write the pages
 """
 import argparse
 import ast
+import functools
 import pathlib
 import re
 import sys
@@ -15,8 +16,10 @@ DOCS = pathlib.Path(__file__).resolve().parent
 ROOT = DOCS.parent
 sys.path.insert(0, str(ROOT / 'src' / 'fp_compiler' / 'hw'))
 sys.path.insert(0, str(ROOT / 'src' / 'dispatch'))
+sys.path.insert(0, str(DOCS / 'results'))
 import coverage  # noqa: E402
 import generate_profiles  # noqa: E402
+import page as results  # noqa: E402
 import tried_programs  # noqa: E402
 
 
@@ -401,6 +404,7 @@ PAGES = {
     'reference/statistics.md': statistics,
     'use/programs.md': tried_programs.page,
     'man/arbiter.7': manual7,
+    **{f'results/{name}': functools.partial(results.made, name) for name in results.NAMES},
 }
 
 
@@ -419,7 +423,7 @@ def main():
             dirty.append(name)
             if not options.check:
                 path.write_text(text)
-    except (Broken, coverage.Unexplained, generate_profiles.Broken) as error:
+    except (Broken, coverage.Unexplained, generate_profiles.Broken, *results.ERRORS) as error:
         print(f'generate.py: {error}', file=sys.stderr)
         return 1
     for name in dirty:

@@ -41,6 +41,8 @@ find "$work/$name" -name 'libGLX_arbiter.so' -delete
 mkdir -p "$work/$name/share/doc/arbiter/docs"
 cp -a "$root/README.md" "$root/CONTRIBUTING.md" "$root/SECURITY.md" "$root/LICENSE" "$work/$name/share/doc/arbiter/"
 cp -a "$root"/docs/{README.md,use,write,driver,design,reference,pictures} "$work/$name/share/doc/arbiter/docs/"
+mkdir "$work/$name/share/doc/arbiter/docs/results"
+cp -a "$root"/docs/results/{*.md,*.json,pictures} "$work/$name/share/doc/arbiter/docs/results/"
 cp -a "$root/editors" "$work/$name/share/arbiter/editors"
 
 # Shared libraries of the command and the demonstrations that are no part of a desktop's base.

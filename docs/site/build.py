@@ -23,7 +23,8 @@ import links  # noqa: E402
 from references import tracked  # noqa: E402
 
 ROOT_PAGES = ("README.md", "CONTRIBUTING.md", "SECURITY.md", "bench/README.md", "demos/README.md", "editors/README.md")
-SECTIONS = (("Run", "use"), ("Write", "write"), ("Driver", "driver"), ("Design", "design"), ("Reference", "reference"))
+SECTIONS = (("Run", "use"), ("Write", "write"), ("Driver", "driver"), ("Design", "design"), ("Reference", "reference"),
+            ("Results", "results"))
 EXTRA = {"css": HERE / "site.css", "js": HERE / "site.js"}
 
 

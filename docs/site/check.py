@@ -27,7 +27,8 @@ import urllib.parse
 WIDTHS = (1280, 420)
 SCHEMES = {"light": 1, "dark": 0}  # Blink's numbers
 SHOTS = ("index.html", "docs/index.html", "docs/driver/performance.html", "docs/write/builder_window.html",
-         "docs/use/programs.html", "docs/reference/profiles.html", "docs/design/ir.html")
+         "docs/use/programs.html", "docs/reference/profiles.html", "docs/design/ir.html", "docs/results/index.html",
+         "docs/results/deviations.html", "docs/results/pictures.html")
 TEXTS = ("src/", "tests/", "debian/")
 CONTRAST = 4.5  # of text, as WCAG 2 asks for
 SECONDS = 600
