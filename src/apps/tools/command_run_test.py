@@ -261,8 +261,8 @@ class Capture(Temporary):
                                   'write it'])
 
     def test_signals(self):
-        result = self.capture('--', 'sh', '-c', 'kill -SEGV $$')
-        self.assertEqual(result.returncode, 128 + 11)
+        result = self.capture('--', 'sh', '-c', 'kill -ABRT $$')  # sanitizers handle SEGV themselves
+        self.assertEqual(result.returncode, 128 + 6)
         for _ in range(20):  # repeated: the command's first act races with the parent's after the fork
             result = self.capture('--', 'sh', '-c', 'kill -TERM $PPID; exec sleep 30')
             self.assertEqual(result.returncode, 128 + 15, 'TERM was not passed on')

@@ -80,7 +80,8 @@ void testedBlocks(const abi::FragmentData *data, const abi::Primitive *primitive
     }
 }
 
-std::uint32_t g_several = 0; ///< number of calls whose first vector has pixels of several triangles
+std::atomic<std::uint32_t> g_several =
+    0; ///< number of calls whose first vector has pixels of several triangles
 
 void packedPixels(const abi::FragmentData *data, const abi::PrimitiveColumns *primitives,
                   const abi::Pixel *pixels, std::uint32_t count) {
