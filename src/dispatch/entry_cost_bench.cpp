@@ -19,7 +19,7 @@ using arbiter::state::ContextHot;
 [[gnu::noipa]] void hostEnable(GLenum) {}
 [[gnu::noipa]] void hostTexParameteri(GLenum, GLenum, GLint) {}
 
-std::uint64_t g_draws = 0;
+arbiter::Counter g_draws;
 
 /// Makes a context current that has no work for any call.
 void makeCurrent() {

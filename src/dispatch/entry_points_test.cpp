@@ -42,7 +42,7 @@ protected:
   host::HostTable m_table;
   state::ContextHot m_hot;
   state::ContextHot *m_before = nullptr;
-  std::uint64_t m_draws = 0;
+  Counter m_draws;
 };
 
 TEST_F(EntryPoints, ADrawIsCountedAndPassedOn) {

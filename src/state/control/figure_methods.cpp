@@ -13,8 +13,8 @@ wire::Answer stats(Call &call) {
   const RasterContext &context = call.context;
   Json draws = Json::object();
   for (int i = 0; i < kPathCount; ++i)
-    if (context.counters.draws[std::size_t(i)] != 0)
-      draws[pathName(Path(i))] = context.counters.draws[std::size_t(i)];
+    if (const std::uint64_t count = context.counters.draws[std::size_t(i)]; count != 0)
+      draws[pathName(Path(i))] = count;
   Json given = Json::object();
   if (context.software)
     for (int i = 0; i < kFallbackCount; ++i)

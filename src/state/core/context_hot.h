@@ -1,6 +1,8 @@
 #pragma once
 #include <cstdint>
 
+#include "util/counter.h"
+
 namespace arbiter::host {
 struct HostTable;
 }
@@ -55,7 +57,7 @@ struct ContextHot {
   /// (mirror/dirty_bits.h).
   std::uint32_t dirty = ~0u;
   /// Counts draws on the current path, when the host draws.
-  std::uint64_t *drawCounter = nullptr;
+  Counter *drawCounter = nullptr;
 
   /// True if a command is executed now. False if the host must record it in a list, or refuse it
   /// between Begin and End.

@@ -16,6 +16,7 @@
 #include "state/objects/capture_effective.h"
 #include "state/objects/feedback_tracker.h"
 #include "state/objects/list_recorder.h"
+#include "util/counter.h"
 
 namespace arbiter::state {
 
@@ -43,11 +44,11 @@ struct DrawChoice {
   std::uint64_t selections = 0; ///< counts changes of the effective programs
 };
 
-/// Figures of the statistics and of the window with figures.
+/// Figures of the statistics, which any thread may write, and of the window with figures.
 struct Counters {
-  std::array<std::uint64_t, kPathCount> draws{};
-  std::uint64_t frames = 0;
-  std::uint64_t readBufferCalls = 0;
+  std::array<Counter, kPathCount> draws{};
+  Counter frames;
+  Counter readBufferCalls;
   FeedbackTracker feedback;
 };
 

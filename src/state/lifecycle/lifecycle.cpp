@@ -315,8 +315,10 @@ void makeCurrent(Context *context, const Drawable *drawable) {
         ++context->life.currentCount;
       leaves = old && --old->life.currentCount == 0;
     }
-    if (leaves)
+    if (leaves) {
       ceasesToBeCurrent(*old);
+      noteProgress(*old);
+    }
     t_current = context ? context : &g_null.context;
     if (context)
       logFlag(DebugFlag::Contexts, "state", "context %u: current", context->serial);

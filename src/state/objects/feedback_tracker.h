@@ -4,6 +4,8 @@
 #include <memory>
 #include <unordered_map>
 
+#include "util/counter.h"
+
 /// Texture feedback: copies of a colour buffer to a texture level (glReadBuffer, then
 /// glCopyTexSubImage), the multipass technique of the time. Tracks which buffer became which level,
 /// and when, so that copies can be avoided later. No GL calls here, and no GL types.
@@ -50,8 +52,8 @@ public:
   static constexpr std::size_t kMaxLevels = 4096;
 
   struct Totals {
-    std::uint64_t copies = 0;
-    std::uint64_t pixels = 0;
+    Counter copies;
+    Counter pixels;
   };
 
   void record(const TextureLevel &to, CopyKind kind, const ColorBuffer &from,

@@ -6,6 +6,7 @@
 #include "state/raster_draw/frames/leave.h"
 #include "state/raster_draw/functions/functions.h"
 #include "state/raster_draw/raster_context.h"
+#include "swrast/image/storage.h"
 #include "util/json.h"
 #include "util/record/record_text.h"
 
@@ -48,7 +49,6 @@ void Figures::add(const Figures &others) {
   residency.downloadedBytes += moved.downloadedBytes;
   residency.uploads += moved.uploads;
   residency.uploadedBytes += moved.uploadedBytes;
-  residency.shadowBytes += moved.shadowBytes;
 }
 
 namespace {
@@ -88,7 +88,7 @@ void store(const Figures &figures, std::uint64_t (&counters)[kFigureCount]) {
   counters[DownloadedBytes] = moved.downloadedBytes;
   counters[Uploads] = moved.uploads;
   counters[UploadedBytes] = moved.uploadedBytes;
-  counters[ShadowBytes] = moved.shadowBytes;
+  counters[ShadowBytes] = swrast::Storage::totalBytes();
   const CompileStatistics compiled = compileStatistics();
   counters[Functions] = compiled.functions;
   counters[FunctionsFailed] = compiled.failed;

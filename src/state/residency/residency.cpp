@@ -153,10 +153,6 @@ void forgetSize(ResidentImages &images) {
 
 std::uint64_t Residency::version() const { return m_images->objects.version; }
 
-ResidencyStatistics Residency::statistics() const {
-  ResidencyStatistics statistics = m_images->objects.statistics;
-  statistics.shadowBytes = swrast::Storage::totalBytes();
-  return statistics;
-}
+const ResidencyStatistics &Residency::statistics() const { return m_images->objects.statistics; }
 
 } // namespace arbiter::state

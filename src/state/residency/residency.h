@@ -92,7 +92,6 @@ struct ResidencyStatistics {
   std::uint64_t copiesInMemory = 0;                 ///< feedback copies from shadow to shadow
   std::uint64_t downloads = 0, downloadedBytes = 0; ///< host to shadow
   std::uint64_t uploads = 0, uploadedBytes = 0;     ///< shadow to host
-  std::uint64_t shadowBytes = 0;                    ///< bytes of shadows at present
 };
 
 /// Keeps a context's images coherent: it knows which copy of each is valid, the host's or the
@@ -244,7 +243,7 @@ public:
   /// changed.
   void enter(const Drawable &drawable);
 
-  [[nodiscard]] ResidencyStatistics statistics() const;
+  [[nodiscard]] const ResidencyStatistics &statistics() const;
 
 private:
   std::unique_ptr<ResidentImages> m_images;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "fp_compiler/compiler.h"
+#include "state/core/context_hot.h"
 #include "state/programs/program_cache.h"
 #include "state/raster_draw/raster_context.h"
 #include "state/raster_draw/report.h"
@@ -35,7 +36,8 @@ struct Totals {
   std::uint64_t readBuffers = 0;
   Figures software;
 
-  void add(const RasterContext &context) {
+  void add(const ContextRow &row) {
+    const RasterContext &context = *row.live;
     for (int i = 0; i < kPathCount; ++i)
       draws[std::size_t(i)] += context.counters.draws[std::size_t(i)];
     for (int i = 0; i < kCopyKindCount; ++i) {
@@ -45,7 +47,7 @@ struct Totals {
     }
     frames += context.counters.frames;
     readBuffers += context.counters.readBufferCalls;
-    software.add(context);
+    software.add(row.software);
   }
 };
 
@@ -89,7 +91,7 @@ void renewCounters(Registry &r) {
   Totals totals = r.gone;
   for (const ContextRow &row : r.contexts)
     if (row.live)
-      totals.add(*row.live);
+      totals.add(row);
   std::uint64_t *const to = r.record->counters();
   const auto draws = [&](Path path) { return totals.draws[std::size_t(path)]; };
   std::copy(totals.draws.begin(), totals.draws.end(), to + kDraws);
@@ -126,20 +128,32 @@ void addProgram(const ProgramRow &row) {
   renewCounters(r);
 }
 
-/// Updates what became known about a context since it was made. \return true if something did
-bool renewContext(Registry &r, const RasterContext &context) {
-  for (auto row = r.contexts.rbegin(); row != r.contexts.rend(); ++row) {
-    if (row->live != &context)
-      continue;
-    if (row->offered == context.offered && row->numerics == context.numerics &&
-        row->obstacle == context.caps.obstacle())
-      return false;
-    row->offered = context.offered;
-    row->numerics = context.numerics;
-    row->obstacle = context.caps.obstacle();
-    return true;
-  }
-  return false;
+/// Returns the context's row, or null. Contexts that were made last are looked at first.
+ContextRow *rowOf(Registry &r, const ContextHot *context) {
+  const auto row = std::find_if(r.contexts.rbegin(), r.contexts.rend(),
+                                [&](const ContextRow &each) { return each.live == context; });
+  return row == r.contexts.rend() ? nullptr : &*row;
+}
+
+/// Updates what became known about a context since it was made, and its figures. Called by the
+/// context's own thread. \return true if something became known
+bool renewContext(ContextRow &row) {
+  const RasterContext &context = *row.live;
+  row.software = {};
+  row.software.add(context);
+  if (row.offered == context.offered && row.numerics == context.numerics &&
+      row.obstacle == context.caps.obstacle())
+    return false;
+  row.offered = context.offered;
+  row.numerics = context.numerics;
+  row.obstacle = context.caps.obstacle();
+  return true;
+}
+
+/// Updates the calling thread's context.
+void renewCurrent(Registry &r) {
+  if (ContextRow *const row = rowOf(r, t_current))
+    renewContext(*row);
 }
 
 /// Makes the record, with the first context, and registers what happens to it at exit and in a
@@ -186,11 +200,11 @@ void noteContextDestroyed(const RasterContext &context) {
   const std::lock_guard lock(r.mutex);
   if (!r.record)
     return;
-  renewContext(r, context);
-  r.gone.add(context);
-  for (ContextRow &row : r.contexts) // before anything that may find no memory
-    if (row.live == &context)
-      row.live = nullptr;
+  if (ContextRow *const row = rowOf(r, &context)) {
+    renewContext(*row);
+    r.gone.add(*row);
+    row->live = nullptr; // before anything that may find no memory
+  }
   renewFrame(r);
   renewCounters(r);
 }
@@ -202,7 +216,8 @@ void noteProgress(const RasterContext &context) {
   const std::lock_guard lock(r.mutex);
   if (!r.record)
     return;
-  if (renewContext(r, context))
+  ContextRow *const row = rowOf(r, &context);
+  if (row && renewContext(*row))
     renewFrame(r);
   renewCounters(r);
 }
@@ -250,6 +265,7 @@ std::string statisticsJson() {
     r.record = LiveRecord::inMemory();
   if (!r.record)
     return text;
+  renewCurrent(r);
   renewFrame(r);
   renewCounters(r);
   r.record->write({&text, [](void *to, const char *bytes, std::size_t size) {
@@ -265,8 +281,10 @@ void writeStatistics() {
     return;
   // A function below on the stack may hold the lock, if a signal handler called exit(). The
   // counters then are those of the last frame.
-  if (const std::unique_lock lock = lockAtExit(r.mutex))
+  if (const std::unique_lock lock = lockAtExit(r.mutex)) {
+    renewCurrent(r);
     renewCounters(r);
+  }
   if (!r.record->finish())
     logWarn("state", "cannot write statistics to %s: %s", settings().statsPath.c_str(),
             std::strerror(errno));

@@ -42,10 +42,11 @@ void noteFragmentShader(const CoreContext &context, const ProgramObject &object,
 
 /// Writes the statistics to the file of ARBITER_STATS, if set. The new file replaces the old one
 /// atomically, with mode 0600; a symbolic link is not followed. `%p` in the name stands for the
-/// process id. A forked child writes to FILE.PID, to keep the parent's figures. So does a process
-/// that finds the file written by another since it began. Called at exit; more calls are harmless.
-/// It allocates nothing and waits for no lock, as a signal handler may call exit() above a function
-/// of the layer or of the allocator.
+/// process id. The rasterizer's figures of a context that is current in another thread are those of
+/// its last frame. A forked child writes to FILE.PID, to keep the parent's figures. So does a
+/// process that finds the file written by another since it began. Called at exit; more calls are
+/// harmless. It allocates nothing and waits for no lock, as a signal handler may call exit() above
+/// a function of the layer or of the allocator.
 void writeStatistics();
 
 } // namespace arbiter::state

@@ -42,6 +42,9 @@ struct ContextRow {
   const char *obstacle = nullptr;
   fp::Numerics numerics = fp::Numerics::Host;
   const RasterContext *live = nullptr;
+  /// The rasterizer's figures when the context's own thread gave them last: after a frame, and when
+  /// the context ceased to be current. Another thread must not look into its state.
+  Figures software;
 };
 
 struct ProgramRow {
