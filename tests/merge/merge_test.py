@@ -24,7 +24,8 @@ def piglit_content(names):
     bare = {name: "skip" if i % 5 == 0 else "pass" for i, name in enumerate(NAMES) if name in names}
     under = {**bare, **{name: "fail" for name in (WORSE, FLAKY) if name in names}}
     flakes = {FLAKY: ["pass", "fail"]} if FLAKY in names else {}
-    return {"bare": bare, "profiles": {"host": {"layer": dict(bare), "flakes": {}},
+    reasons = {name: "no such extension" for name, status in bare.items() if status == "skip"}
+    return {"bare": bare, "profiles": {"host": {"layer": dict(bare), "flakes": {}, "skips": reasons},
                                        "r300": {"layer": under, "flakes": flakes}}}
 
 
@@ -114,6 +115,15 @@ class Merging(Case):
         r300 = report["reports"][1]
         self.assertEqual((list(r300["unexpected"]), list(r300["flakes"])), ([WORSE], [FLAKY]))
         self.assertIn("95 passed, 1 failed, 24 skipped", text)
+
+    def test_the_counts_name_failures_and_reasons(self):
+        path = self.folder / "counts.json"
+        self.merged(self.write(piglit_result, 5), counts=path)
+        part = json.loads(path.read_text())
+        self.assertEqual(part["failures"], [f"r300: {WORSE}: pass on the bare host, fail under the layer"])
+        self.assertEqual(part["skips"], {"no such extension": 12, "no reason is given": 12})
+        self.merged(self.write(differential_result, 4, failing=(11,), fault="drew half"), counts=path)
+        self.assertEqual(json.loads(path.read_text())["failures"], ["glsl: seed 11: x", "edges: drew half"])
 
     def test_a_failure_and_a_fault_of_one_shard_fail_the_run(self):
         self.assertEqual(self.merged(self.write(differential_result, 4))[0], 0)

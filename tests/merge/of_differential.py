@@ -61,7 +61,10 @@ def show(its):
 
 
 def counts(its):
-    return {key: its[key] for key in ("passed", "failed", "skipped")}
+    failures = [f"{row['name']}: seed {failure['seed']}: {failure['reason']}"
+                for row in its["rows"] for failure in row["failures"]]
+    failures += [f"{row['name']}: {fault}" for row in its["rows"] for fault in row["faults"]]
+    return {**{key: its[key] for key in ("passed", "failed", "skipped")}, "failures": failures, "skips": {}}
 
 
 def files(its):

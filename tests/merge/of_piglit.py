@@ -1,7 +1,8 @@
 """The report of piglit on the bare host and under the layer, from the tables of all shards of a run.
 
 A shard's content is {"bare": {test: status}, "profiles": {profile: {"layer": {test: status}, "flakes":
-{test: [bare, layer]}}}}. The whole run is judged: an expectation is stale if no shard saw its difference."""
+{test: [bare, layer]}, "skips": {test: reason}}}}. The whole run is judged: an expectation is stale if no shard saw its
+difference."""
 
 import collections
 import json
@@ -17,16 +18,16 @@ KIND = "piglit"
 MEASURED = ("seconds",)  # varies from run to run
 
 
-def report(profile, bare, layer, flaky, seconds, is_part):
-    """Returns the report of one profile. flaky: tests whose difference did not persist; is_part: tests were chosen by
-    name,
-    so that an unused expectation means nothing."""
+def report(profile, bare, layer, flaky, reasons, seconds, is_part):
+    """Returns the report of one profile. flaky: tests whose difference did not persist; reasons: of the layer's skips;
+    is_part: tests were chosen by name, so that an unused expectation means nothing."""
     rows = expectations.load(profile)
     explained, unexpected = expectations.judge(expectations.differences(bare, layer), rows)
     flakes = {key: unexpected.pop(key) for key in list(unexpected) if key in flaky}
     unused = [] if is_part else expectations.unused_rows(rows, set(bare) | set(layer))
-    skipped = sum(1 for test, status in layer.items()
-                  if status == "skip" and bare.get(test) == "skip")
+    skips = collections.Counter(reasons.get(test, "no reason is given") for test, status in layer.items()
+                                if status == "skip" and bare.get(test) == "skip")
+    skipped = sum(skips.values())
     return {
         "profile": profile, "seconds": round(seconds, 1),
         "bare": collections.Counter(bare.values()), "layer": collections.Counter(layer.values()),
@@ -34,7 +35,7 @@ def report(profile, bare, layer, flaky, seconds, is_part):
                           "reason": reason} for k, reason in explained.items()},
         "unexpected": {k: {"bare": b, "layer": l} for k, (b, l) in unexpected.items()},
         "flakes": {k: {"bare": b, "layer": l} for k, (b, l) in flakes.items()},
-        "stale": {row.where: row.pattern for row in unused},
+        "stale": {row.where: row.pattern for row in unused}, "skips": dict(skips.most_common()),
         "passed": len(set(bare) | set(layer)) - len(unexpected) - skipped,
         "failed": len(unexpected) + len(unused), "skipped": skipped,
     }
@@ -48,10 +49,10 @@ def document(run, parts):
     bare = joined(lambda part: part.content["bare"])
     reports = []
     for profile in run["profiles"]:
-        layer, flaky = (joined(lambda part: part.content["profiles"][profile][kind])
-                        for kind in ("layer", "flakes"))
+        layer, flaky, reasons = (joined(lambda part: part.content["profiles"][profile].get(kind, {}))
+                                 for kind in ("layer", "flakes", "skips"))
         seconds = sum(part.seconds[profile] for part in parts)
-        reports.append(report(profile, bare, layer, flaky, seconds, bool(run["filter"])))
+        reports.append(report(profile, bare, layer, flaky, reasons, seconds, bool(run["filter"])))
     return {"schema": 2, "set": run["set"], "reports": reports}
 
 
@@ -72,8 +73,14 @@ def show(its):
 
 
 def counts(its):
-    return {key: sum(each[key] for each in its["reports"])
-            for key in ("passed", "failed", "skipped")}
+    sums = {key: sum(each[key] for each in its["reports"]) for key in ("passed", "failed", "skipped")}
+    failures = []
+    for each in its["reports"]:
+        failures += [f"{each['profile']}: {test}: {sides['bare']} on the bare host, {sides['layer']} under the layer"
+                     for test, sides in each["unexpected"].items()]
+        failures += [f"{each['profile']}: {where}: no such difference any more" for where in each["stale"]]
+    skips = sum((collections.Counter(each["skips"]) for each in its["reports"]), collections.Counter())
+    return {**sums, "failures": failures, "skips": dict(skips.most_common())}
 
 
 def files(its):

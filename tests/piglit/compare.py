@@ -73,7 +73,7 @@ def run_again(unexpected, tests, sides, attempts):
 
 
 def compare(profile, bare, tests, args, run_bare):
-    """Runs under the layer with `profile`; returns ({"layer": table, "flakes": …}, seconds)."""
+    """Runs under the layer with `profile`; returns ({"layer": table, "flakes": …, "skips": reasons}, seconds)."""
     label = args.work / ("layer-" + profile.replace(":", "-"))
 
     def run_layer(some, suffix=""):
@@ -82,11 +82,12 @@ def compare(profile, bare, tests, args, run_bare):
 
     start = time.monotonic()
     layer = run_layer(tests)
+    skips = piglit.reasons(label)
     _, unexpected = expectations.judge(expectations.differences(bare, layer),
                                        expectations.load(profile))
     _, flakes = run_again(
         unexpected, tests, (run_bare, lambda some: run_layer(some, "-again")), args.attempts)
-    return {"layer": layer, "flakes": flakes}, time.monotonic() - start
+    return {"layer": layer, "flakes": flakes, "skips": skips}, time.monotonic() - start
 
 
 def arguments():

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Tests of the comparison itself: a worse result fails, and expectations must be true."""
 
+import json
 import pathlib
+import tempfile
 import unittest
 
 import compare
@@ -100,6 +102,27 @@ class Environment(unittest.TestCase):
 
     def test_the_bare_host_has_no_layer(self):
         self.assertNotIn("LD_PRELOAD", piglit.environment())
+
+
+class Reasons(unittest.TestCase):
+    def test_the_last_words_of_a_test_say_why_it_skips(self):
+        for words, reason in (("a.txt:\nTest requires GL_NV_x\n", "piglit's test requires GL_NV_x"),
+                              ("Test requires extension GL_NV_x.\n", "piglit's test requires GL_NV_x"),
+                              ("limits: 4\nSkipping: no limits.\n\n", "piglit's test says, Skipping, no limits"),
+                              ("Sample count of 6 not supported, got 4 samples\n",
+                               "piglit's test says, Sample count of N not supported, got N samples"),
+                              ("", "piglit's test of x does not say")):
+            self.assertEqual(piglit.reason_of("spec@x@y", words), reason)
+
+    def test_of_a_run(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "quick_gl/results.json"
+            path.parent.mkdir()
+            path.write_text(json.dumps({"tests": {
+                "a": {"result": "skip", "out": "Test requires GL_x"}, "b": {"result": "pass", "out": "of b"},
+                "c": {"result": "pass", "out": "of c", "subtests": {"x": "skip", "y": "pass"}}}}))
+            self.assertEqual(piglit.reasons(folder), {"a": "piglit's test requires GL_x",
+                                                      "c/x": "piglit's test leaves out a part"})
 
 
 class Flatten(unittest.TestCase):

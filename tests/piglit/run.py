@@ -4,6 +4,7 @@ import bz2
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 
@@ -73,6 +74,30 @@ def load(results):
             return json.loads(bz2.decompress(path.read_bytes()))
         return json.loads(path.read_text())
     raise RuntimeError("no results in %s" % results)
+
+
+def reasons(folder):
+    """Returns {test: reason} of the tests, and subtests as `test/subtest`, that skipped in a run's folder."""
+    found = {}
+    for results in sorted(pathlib.Path(folder).glob("*/results.json*")):
+        document = load(results.parent)
+        for key, status in flatten(document).items():
+            if status == "skip":
+                test = document["tests"].get(key)
+                found[key] = reason_of(key, test.get("out") or "") if test else "piglit's test leaves out a part"
+    return found
+
+
+def reason_of(name, output):
+    """Returns why a test skipped: by the last words that it prints, without a colon and without this host's figures. A
+    test without words is named by its group, such as arb_vertex_program."""
+    lines = [line.strip(" .") for line in output.replace(":", ",").splitlines() if line.strip()]
+    if not lines:
+        return f"piglit's test of {name.split('@')[1] if '@' in name else name} does not say"
+    requires = re.match(r"Test requires (?:extension )?(GL\w*|\w*)$", lines[-1])
+    if requires:
+        return f"piglit's test requires {requires.group(1)}"
+    return "piglit's test says, " + re.sub(r"\b\d+\b", "N", lines[-1])
 
 
 def flatten(document):
