@@ -7,6 +7,10 @@
 set -euo pipefail
 
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
+out=$root/out
+jobs=$(nproc)
+# shellcheck source=scripts/dev_lib.sh
+source "$root/scripts/dev_lib.sh"
 # shellcheck source=scripts/sysroot.sh
 source "$root/scripts/sysroot.sh"
 tree=$(mkdir -p "$1" && cd "$1" && pwd)
@@ -52,4 +56,7 @@ mapfile -t tests <"$tree/tests"
 # The emulator itself ends a forked child of a process with threads that starts another, and keeps a
 # table of every page of what a test reserves, which takes all memory there is.
 export GTEST_FILTER='-*WorkAfterFork*:*CodeLiesBesideItsConstants*'
-meson test -C "$tree/build" --print-errorlogs --timeout-multiplier 20 "${tests[@]}"
+compile "$tree/build"
+failures=0
+meson_tests "$tree/build" --timeout-multiplier 20 "${tests[@]}"
+[[ $failures == 0 ]]

@@ -2,20 +2,21 @@
 # What a change must satisfy besides the tests: format, include graph, linters, generated
 # files, tidy.
 # shellcheck disable=SC2317  # the checks are called by part()
-# usage: check.sh BUILD_TREE | check.sh --quick
+# usage: check.sh BUILD_TREE|--quick [RESULTS]     RESULTS: a folder for the counts
 # --quick leaves out what needs a build tree. All parts run; the status says whether any complained.
 set -uo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$1
-status=0
+failures=0
+# shellcheck source=scripts/dev_lib.sh
+source "$root/scripts/dev_lib.sh"
+results=${2:-$(mktemp -d)}
 
 part() {
-  printf '\n==> %s\n' "$1"
-  shift
-  if "$@"; then echo "ok"; else
-    status=1
-    echo "complaints above"
-  fi
+  local before=$failures
+  step "$1"
+  counted --once "$@"
+  if [[ $failures == "$before" ]]; then echo "ok"; else echo "complaints above"; fi
 }
 
 sources() { git -C "$root" ls-files -- "$@" | sed "s|^|$root/|"; }
@@ -80,4 +81,4 @@ if [[ $build != --quick ]]; then
   part "generated files" check_generated
   part "tidy" check_tidy
 fi
-exit "$status"
+[[ $failures == 0 ]]

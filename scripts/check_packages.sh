@@ -5,6 +5,7 @@
 set -euo pipefail
 
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
+out=$root/out
 # shellcheck source=scripts/dev_lib.sh
 source "$root/scripts/dev_lib.sh"
 packages=$(readlink -f "${1:-$root/out/packages}")
@@ -17,6 +18,8 @@ if [[ -z ${ARBITER_CHECK_INSIDE:-} ]]; then
   exec unshare --mount --pid --fork --mount-proc --propagation private -- \
     env ARBITER_CHECK_INSIDE=1 "$root/scripts/check_packages.sh" "$packages"
 fi
+mkdir -p "$results"
+failures=0
 
 debs() { find "$packages" -maxdepth 1 -name "*_$1.deb" | sort; }
 [[ -n $(debs "$(dpkg --print-architecture)") ]] || fail "$packages has no packages; ./dev package builds them"
@@ -30,7 +33,7 @@ mkdir -p "$work"
 rm -rf --one-file-system "$work/lintian"
 mkdir "$work/lintian"
 find "$packages" -maxdepth 2 -type f -exec cp -t "$work/lintian" {} +
-lintian --allow-root --info --fail-on error,warning "$work"/lintian/*.changes
+needed --once lintian lintian --allow-root --info --fail-on error,warning "$work"/lintian/*.changes
 rm -r "$work/lintian"
 
 # The bare system is kept; a check starts from a copy of it. The main archive alone: all packages of
@@ -81,32 +84,33 @@ contents() {
 }
 step "installed"
 contents >"$work/before"
-inside sh -c "${install[*]} ./packages/*.deb"
-inside sh -c 'apt-get check -qq'
+needed --once installed inside sh -c "${install[*]} ./packages/*.deb && apt-get check -qq"
 step "used"
-used python3 /checks/installed -v
-used python3 /checks/widths -v
+counted used used python3 /checks/installed -v
+counted used-widths used python3 /checks/widths -v
 step "purged"
-inside sh -c "apt-get purge -y -qq -o Dpkg::Use-Pty=0 $(sed -n 's/^ *sudo apt purge //p' "$root/README.md")"
+counted --once purged inside sh -c "apt-get purge -y -qq -o Dpkg::Use-Pty=0 $(
+  sed -n 's/^ *sudo apt purge //p' "$root/README.md")"
 contents >"$work/after"
-diff -u "$work/before" "$work/after" || fail "the packages leave something behind"
-step "packages: installed, used and purged without a trace"
+counted --once nothing-left diff -u "$work/before" "$work/after"
+[[ $failures == 0 ]] && step "packages: installed, used and purged without a trace"
 
 if [[ $architectures == *i386 ]]; then
   step "32-bit programs where the layer is 64-bit alone"
   inside "${install[@]}" --no-install-recommends mesa-utils-bin:i386 busybox:i386 libgl1-mesa-dri:i386 \
     libegl1:i386 libgl1:i386
-  inside sh -c "${install[*]} ./packages/*_amd64.deb"
-  used python3 /checks/widths -v
+  needed --once installed-64 inside sh -c "${install[*]} ./packages/*_amd64.deb"
+  counted widths-of-64 used python3 /checks/widths -v
   if [[ -n $(debs i386) ]]; then
     step "and where it has both widths"
-    inside sh -c "${install[*]} ./packages/*.deb"
-    used python3 /checks/widths -v
+    needed --once installed-both inside sh -c "${install[*]} ./packages/*.deb"
+    counted widths-of-both used python3 /checks/widths -v
     step "programs for Windows of both widths"
     inside "${install[@]}" --no-install-recommends wine wine64 wine32:i386
     mkdir "$chroot/checks/real"
     cp "$root"/tests/real_programs_vs_host/{wine_widths,cases,picture,session}.py "$chroot/checks/real/"
     python3 "$root/tests/real_programs_vs_host/wine_widths.py" --build-clients "$chroot/checks/clients"
-    used python3 /checks/real/wine_widths.py --clients /checks/clients --out /tmp/wine
+    counted wine used python3 /checks/real/wine_widths.py --clients /checks/clients --out /tmp/wine
   fi
 fi
+[[ $failures == 0 ]]

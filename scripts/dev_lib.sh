@@ -196,9 +196,22 @@ start_display() {
   rm -f "$file"
 }
 
+# The parts of a suite leave their counts here; there is one folder, so that one suite runs at a time.
+results=${out:-}/test
+
+# Returns a process's number, and when it began: other containers have the same numbers.
+process() { echo "$1 $(cut -d ' ' -f 22 "/proc/$1/stat" 2>/dev/null)"; }
+
+# A suite begins with this, so that no results of another one stay if it cannot be built.
 fresh_results() {
-  rm -rf "$out/test"
-  mkdir -p "$out/test"
+  local other
+  other=$(cat "$results/.process" 2>/dev/null || true)
+  if [[ -n $other && $other != "$(process "$$")" && $other == "$(process "${other%% *}")" ]]; then
+    fail "another suite runs here, as process ${other%% *}, and leaves its results in $results"
+  fi
+  rm -rf "$results"
+  mkdir -p "$results"
+  process "$$" >"$results/.process"
   failures=0
 }
 
@@ -210,20 +223,85 @@ record() {
   }
 }
 
-# usage: meson_tests TREE OPTIONS...
+# Runs a step of a suite, and goes on when it fails. Its counts are read from what it prints, if it leaves none in
+# NAME.json itself; a step that counts nothing is one case. The output stays in NAME.log, beside that.
+# usage: counted [--once] NAME COMMAND...   --once: it is one case, whatever it prints
+counted() {
+  local - kind=step status=0
+  local -x PYTHONUNBUFFERED=1
+  set -o pipefail
+  if [[ $1 == --once ]]; then
+    kind=once
+    shift
+  fi
+  local name=$1 file=$results/${1//[^A-Za-z0-9.-]/-}
+  shift
+  "$@" 2>&1 | tee "$file.log" || status=$?
+  python3 "$root/scripts/tally.py" "$kind" "$name" "$status" "$file.log" "$file.json" || status=1
+  case $status in
+    0 | 77) ;;
+    *)
+      printf 'dev: failed: %s\n' "$*" >&2
+      failures=$((failures + 1))
+      ;;
+  esac
+}
+
+# A step without which the next ones mean nothing: the counts end with it if it fails.
+needed() {
+  counted "$@"
+  [[ $failures == 0 ]] || exit 1
+}
+
+# Runs a script whose steps are counted. If it fails before one of them does, it is a failure itself.
+# usage: of_parts NAME COMMAND...
+of_parts() {
+  local name=$1 status=0
+  shift
+  "$@" || status=$?
+  [[ $status == 0 ]] && return
+  failures=$((failures + 1))
+  python3 "$root/scripts/tally.py" ended "$name" "$status" "$results"
+}
+
+# True of a run whose results only the whole has: a shard, or the bare host alone.
+# usage: is_part OPTION...
+is_part() {
+  case " $* " in
+    *" --shard "* | *" --shard="* | *" --bare-only "*) return 0 ;;
+  esac
+  return 1
+}
+
+# Counts a run, and ends with the counts, unless it is a part.
+# usage: counted_whole NAME COMMAND...   the command takes --counts FILE
+counted_whole() {
+  local name=$1
+  shift
+  if is_part "$@"; then
+    "$@"
+    return
+  fi
+  counted "$name" "$@" --counts "$results/$name.json"
+  finish_results
+}
+
+# usage: [whole=whole] meson_tests TREE OPTIONS...   whole: they are all tests of a change
 meson_tests() {
   local tree=$1
   shift
   rm -f "$tree/meson-logs/testlog.json"
   record meson test -C "$tree" --no-rebuild --print-errorlogs --num-processes "$jobs" "$@"
   record python3 "$root/scripts/tally.py" meson "$tree/meson-logs/testlog.json" \
-    "$out/test/meson.json"
+    "$results/meson.json" "${whole:-part}"
 }
 
-# Ends with the plain line of counts; a part that failed without a count still fails the verb.
+# Ends with the plain line of counts; a part that failed without a count still fails the verb, and so does a skip that
+# has no owner in tests/skips.toml.
 finish_results() {
   step "results"
   if [[ -n ${planned:-} ]]; then stage_times "$out/test-times.json"; fi
-  python3 "$root/scripts/tally.py" total "$out/test" || failures=$((failures + 1))
+  python3 "$root/scripts/tally.py" owned "$results" || failures=$((failures + 1))
+  python3 "$root/scripts/tally.py" total "$results" || failures=$((failures + 1))
   [[ $failures == 0 ]] || exit 1
 }

@@ -93,10 +93,10 @@ own=$(g++ -print-multiarch)
 export LIBGL_DRIVERS_PATH=$sysroot/usr/lib/$triplet/dri:/usr/lib/$own/dri
 export CLIENT_PYTHON=$sysroot/usr/bin/python3
 failures=0
-record meson test -C "$tree/build" --no-rebuild --print-errorlogs --timeout-multiplier 4 --num-processes "$jobs" \
-  "${tests[@]}"
+meson_tests "$tree/build" --timeout-multiplier 4 "${tests[@]}"
 if [[ -z $WANTED ]]; then
   step "differential: interpreter, compiler's GLSL, host, layer"
-  record python3 "$root/scripts/run_differential.py" --build "$tree/build" --out "$out/differential-i386"
+  counted differential python3 "$root/scripts/run_differential.py" --build "$tree/build" \
+    --out "$out/differential-i386" --counts "$results/differential.json"
 fi
 [[ $failures == 0 ]]
