@@ -259,7 +259,7 @@ void drawQuads(std::mt19937 &random, bool again, bool follows) {
 
 TEST_F(JoinedPrimitives, MaterialsThatAreGivenAgainChangeNothing) {
   if (layered() && !rasterizerDrawsAll())
-    GTEST_SKIP() << "the host may draw one of the two pictures";
+    GTEST_SKIP() << "the host may draw: one of the two pictures";
   glEnable(GL_LIGHTING);
   glEnable(GL_LIGHT0);
   std::size_t all = 0;

@@ -11,8 +11,7 @@ class NvCombiners : public ApiTest {
 protected:
   void SetUp() override {
     ApiTest::SetUp();
-    if (!epoxy_has_gl_extension("GL_NV_register_combiners2"))
-      GTEST_SKIP() << "no NV_register_combiners2 here";
+    NEEDS("GL_NV_register_combiners2");
   }
 };
 

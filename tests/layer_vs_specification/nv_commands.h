@@ -40,9 +40,8 @@ class NvTest : public ApiTest {
 protected:
   void SetUp() override {
     ApiTest::SetUp();
-    if (!epoxy_has_gl_extension("GL_NV_vertex_program") ||
-        !epoxy_has_gl_extension("GL_NV_fragment_program"))
-      GTEST_SKIP() << "no NV_vertex_program or NV_fragment_program here";
+    NEEDS("GL_NV_vertex_program");
+    NEEDS("GL_NV_fragment_program");
 #define API_NV_LOOK_UP(result, name, parameters)                                                   \
   name = reinterpret_cast<result(*) parameters>(eglGetProcAddress("gl" #name));                    \
   ASSERT_TRUE(name) << #name;

@@ -115,8 +115,7 @@ TEST_F(NvStages, InTurnsWithProgramsOfTheArbAndFixedFunction) {
 }
 
 TEST_F(NvStages, NothingOfTheHostsShows) {
-  if (!epoxy_has_gl_extension("GL_ARB_separate_shader_objects"))
-    GTEST_SKIP() << "no pipelines";
+  NEEDS("GL_ARB_separate_shader_objects");
   EXPECT_EQ(drawn(), kRedPixel);
   EXPECT_EQ(integer(GL_CURRENT_PROGRAM), 0);
   EXPECT_EQ(integer(GL_PROGRAM_PIPELINE_BINDING), 0);
@@ -161,8 +160,7 @@ TEST_F(NvStages, BesideTheApplicationsGlsl) {
 }
 
 TEST_F(NvStages, BesideTheApplicationsPipelines) {
-  if (!epoxy_has_gl_extension("GL_ARB_separate_shader_objects"))
-    GTEST_SKIP() << "no pipelines";
+  NEEDS("GL_ARB_separate_shader_objects");
   const char *const text = "void main() { gl_FragColor = vec4(0, 1, 0, 1); }";
   const GLuint green = glCreateShaderProgramv(GL_FRAGMENT_SHADER, 1, &text);
   EXPECT_EQ(drawn(), kRedPixel);

@@ -268,8 +268,7 @@ TEST_F(Queries, ExtensionsNameWhatIsOffered) {
 }
 
 TEST_F(Queries, ByName) {
-  if (!epoxy_has_gl_extension("GL_EXT_direct_state_access"))
-    GTEST_SKIP() << "no EXT_direct_state_access";
+  NEEDS("GL_EXT_direct_state_access");
   GLuint name = 0;
   glGenProgramsARB(1, &name);
   glNamedProgramStringEXT(name, kFragment, GL_PROGRAM_FORMAT_ASCII_ARB,

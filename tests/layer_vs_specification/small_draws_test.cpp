@@ -34,8 +34,7 @@ class SmallDrawPrimitives : public ApiTest {
 protected:
   void SetUp() override {
     ApiTest::SetUp();
-    if (!epoxy_has_gl_extension("GL_EXT_framebuffer_object"))
-      GTEST_SKIP() << "no framebuffer with depths";
+    NEEDS("GL_EXT_framebuffer_object");
     glGenFramebuffersEXT(1, &m_framebuffer);
     glGenRenderbuffersEXT(2, m_buffers.data());
     glBindFramebufferEXT(GL_FRAMEBUFFER_EXT, m_framebuffer);
@@ -188,7 +187,7 @@ void chooseSmallDrawState(std::mt19937 &random) {
 
 TEST_F(SmallDrawPrimitives, LookAsEachDrawnAlone) {
   if (layered() && !rasterizerDrawsAll())
-    GTEST_SKIP() << "the host may draw one of the two pictures";
+    GTEST_SKIP() << "the host may draw: one of the two pictures";
   std::size_t lit = 0;
   for (unsigned seed = 0; seed < 300; ++seed) {
     std::mt19937 random(seed);

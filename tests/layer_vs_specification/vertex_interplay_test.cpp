@@ -110,7 +110,7 @@ TEST_F(VertexDraws, BesideTheApplicationsGlsl) {
 
 TEST_F(VertexDraws, TransformFeedbackOfTheApplications) {
   if (epoxy_gl_version() < 30)
-    GTEST_SKIP() << "no transform feedback";
+    GTEST_SKIP() << "the host has no GL 3.0: transform feedback";
   makeProgram(kThrough, kVertex);
   EXPECT_EQ(drawn(), kBluePixel); // the linked program is bound on the host
   EXPECT_GL_ERROR(GL_INVALID_OPERATION, glBeginTransformFeedback(GL_POINTS));

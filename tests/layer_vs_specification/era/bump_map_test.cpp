@@ -19,8 +19,7 @@ class EraBumpMaps : public ApiTest {
 protected:
   void SetUp() override {
     ApiTest::SetUp();
-    if (!epoxy_has_gl_extension("GL_ATI_envmap_bumpmap"))
-      GTEST_SKIP() << "GL_ATI_envmap_bumpmap is not offered here";
+    NEEDS("GL_ATI_envmap_bumpmap");
   }
 };
 

@@ -7,8 +7,7 @@ class EraPointSprites : public ApiTest {
 protected:
   void SetUp() override {
     ApiTest::SetUp();
-    if (!epoxy_has_gl_extension("GL_NV_point_sprite"))
-      GTEST_SKIP() << "GL_NV_point_sprite is not offered here";
+    NEEDS("GL_NV_point_sprite");
   }
 };
 

@@ -5,8 +5,7 @@ namespace api::imaging {
 namespace {
 
 TEST_F(ImagingState, MemoryOfAKnownSize) {
-  if (!epoxy_has_gl_extension("GL_ARB_robustness"))
-    GTEST_SKIP() << "GL_ARB_robustness is not offered here";
+  NEEDS("GL_ARB_robustness");
   glColorTable(GL_COLOR_TABLE, GL_RGBA8, 4, GL_RGBA, GL_UNSIGNED_BYTE, kBytes);
   GLubyte read[16] = {};
   EXPECT_GL_ERROR(GL_INVALID_OPERATION,

@@ -9,8 +9,7 @@ class ImagingTest : public ApiTest {
 protected:
   void SetUp() override {
     ApiTest::SetUp();
-    if (!epoxy_has_gl_extension("GL_ARB_imaging"))
-      GTEST_SKIP() << "GL_ARB_imaging is not offered here";
+    NEEDS("GL_ARB_imaging");
   }
 };
 

@@ -206,8 +206,7 @@ TEST_F(ImagingState, ColorIndicesBecomeColors) {
 }
 
 TEST_F(ImagingState, VertexProgramsTrackTheColorMatrix) {
-  if (!epoxy_has_gl_extension("GL_NV_vertex_program"))
-    GTEST_SKIP() << "GL_NV_vertex_program is not offered here";
+  NEEDS("GL_NV_vertex_program");
   glMatrixMode(GL_COLOR);
   glTranslatef(0, 5, 0);
   glMatrixMode(GL_MODELVIEW);

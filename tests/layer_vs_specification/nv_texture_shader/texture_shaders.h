@@ -13,8 +13,7 @@ class NvTextureShaders : public ApiTest {
 protected:
   void SetUp() override {
     ApiTest::SetUp();
-    if (!epoxy_has_gl_extension("GL_NV_texture_shader3"))
-      GTEST_SKIP() << "no NV_texture_shader3 here";
+    NEEDS("GL_NV_texture_shader3");
   }
 };
 

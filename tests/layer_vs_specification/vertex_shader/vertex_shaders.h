@@ -11,8 +11,7 @@ class EraVertexShaders : public ApiTest {
 protected:
   void SetUp() override {
     ApiTest::SetUp();
-    if (!epoxy_has_gl_extension("GL_EXT_vertex_shader"))
-      GTEST_SKIP() << "no EXT_vertex_shader here";
+    NEEDS("GL_EXT_vertex_shader");
   }
 };
 
