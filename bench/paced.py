@@ -65,7 +65,7 @@ class Client:
         if not line:
             code = self.process.wait()
             if code == 77:
-                print("skipped: the host has no context with ARB_fragment_program")
+                print("skipped: the host lacks it: a context with ARB_fragment_program")
                 raise SystemExit(77)
             raise SystemExit(f"{' '.join(self.command)}: ended with status {code} at: {order}")
         return json.loads(line)

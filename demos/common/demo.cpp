@@ -143,7 +143,7 @@ void printInfo(const Demo &demo) {
 
 int runOn(Demo &demo, Surface &surface, const Options &options) {
   if (!epoxy_has_gl_extension("GL_ARB_fragment_program")) {
-    std::fprintf(stderr, "skipped: %s has no GL_ARB_fragment_program\n",
+    std::fprintf(stderr, "skipped: the host lacks it: GL_ARB_fragment_program of %s\n",
                  glString(GL_RENDERER).c_str());
     return kExitSkipped;
   }

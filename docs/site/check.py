@@ -268,7 +268,7 @@ def main():
     options = parser.parse_args()
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # so that a browser ends too
     if not shutil.which("chromium"):
-        print("check.py: chromium is not installed", file=sys.stderr)
+        print("check.py: skipped: not installed: chromium", file=sys.stderr)
         return 77
     if options.self_test:
         self_test()

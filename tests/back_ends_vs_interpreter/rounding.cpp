@@ -139,7 +139,8 @@ int main(int argc, char **argv) {
   std::string why;
   const auto host = GlHost::create(why);
   if (!host || !hasExtension("GL_EXT_gpu_shader4") || !hasExtension("GL_ARB_shader_bit_encoding")) {
-    std::printf("rounding: skipped: %s\n", host ? "the host lacks the extensions" : why.c_str());
+    std::printf("rounding: skipped: %s%s\n", host ? "the host lacks it: " : "no GL context: ",
+                host ? "bits of floats" : why.c_str());
     return 77;
   }
   Rounding rounding;

@@ -196,7 +196,7 @@ class Capture(Folder):
         run(ARBITER, 'capture', '-o', self.folder, '--', TICKER, 'fragment', '1')
         self.assertEqual(victim.read_text(), 'precious')
 
-    @unittest.skipUnless(SHADER_RUNNERS, 'piglit is not installed')
+    @unittest.skipUnless(SHADER_RUNNERS, 'not installed: piglit')
     def test_shader_tests_run(self):
         for name, command in (('pixels', (LIGHTING, '--headless', '--size', '32x32')),
                               ('vertices', (TICKER, 'vertex', '1'))):
@@ -398,4 +398,4 @@ class States(Folder):
 
 
 if __name__ == '__main__':
-    unittest.main(argv=sys.argv[:1] + sys.argv[6:])
+    unittest.main(argv=sys.argv[:1] + sys.argv[6:], verbosity=2)

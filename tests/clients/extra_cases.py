@@ -107,7 +107,7 @@ def run_arbiter(setting):
     """Tests that `arbiter run` sets everything."""
     tool = setting.build / "src/apps/tools/arbiter"
     if not tool.exists():
-        raise Skip("arbiter is not built")
+        raise Skip("not built: arbiter")
     for command in (["client_libgl"], ["client_egl_direct"], ["client_osmesa_dynamic", "dlsym"],
                     ["client_early"]):
         setting.stats.unlink(missing_ok=True)
@@ -141,11 +141,11 @@ def run_secure(setting):
     if "LIBGL_DRIVERS_PATH" in os.environ:
         raise Skip("a set-user-ID program takes drivers of the system alone")
     if os.geteuid() != 0:
-        raise Skip("needs root to make a set-user-id program")
+        raise Skip("needs root: a set-user-ID program is made")
     mount = subprocess.run(["findmnt", "-nro", "OPTIONS", "-T", str(setting.scratch)], text=True,
                            capture_output=True, check=False).stdout
     if "nosuid" in mount:
-        raise Skip("the scratch folder is mounted nosuid")
+        raise Skip("the temporary folder is mounted nosuid")
     program = setting.scratch / "secure"
     shutil.copy(setting.clients / "client_egl_direct", program)
     program.chmod(0o755 | stat.S_ISUID)
@@ -174,7 +174,7 @@ def run_apitrace(setting):
     """Tests that apitrace records the application's calls, and that its trace replays with the same picture."""
     tool = shutil.which("apitrace")
     if not tool or width(tool) != width(setting.layer):
-        raise Skip("apitrace is of another width" if tool else "apitrace is not installed")
+        raise Skip("of another width: apitrace" if tool else "not installed: apitrace")
     trace = setting.scratch / "client.trace"
     for program in ("client_libgl", "client_glx_dynamic"):
         trace.unlink(missing_ok=True)

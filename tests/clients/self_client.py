@@ -81,7 +81,10 @@ def main(name, client, check):
     if options.client:
         return client(options.client)
     try:
-        return 0 if check(options) else SKIPPED
+        if check(options):
+            return 0
+        print('skipped: no context without a window')
+        return SKIPPED
     except Failure as failure:
         print(f'{name}: {failure}', file=sys.stderr)
         return 1

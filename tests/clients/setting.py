@@ -146,7 +146,7 @@ class Client:
         command = [Path(str(c).format(clients=setting.clients, source=setting.source))
                    if "{" in str(c) else c for c in self.command]
         if not Path(command[0]).exists() and not shutil.which(str(command[0])):
-            raise Skip(f"{Path(command[0]).name} is not built")
+            raise Skip(f"not built: {Path(command[0]).name}")
         if self.bare:
             outcome = execute(command, setting.environment(False, self.env))
             need_success(outcome, "bare host")
@@ -172,7 +172,7 @@ class Piglit:
     def __call__(self, setting):
         found = [Path(f) / self.program for f in PIGLIT_FOLDERS if (Path(f) / self.program).exists()]
         if not found or width(found[0]) != width(setting.layer):
-            raise Skip("piglit is not installed" if not found else "piglit is of another width")
+            raise Skip("not installed: piglit" if not found else "of another width: piglit")
         command = [found[0], *[a.format(source=setting.source) for a in self.arguments], "-auto",
                    "-fbo"]
         for layer in (False, True):

@@ -244,7 +244,7 @@ class Windows(Painting):
                 self.assertTrue(self.counts_reach(output, 'shown', lambda count: count == 0))
                 self.unchanged(output)
 
-    @unittest.skipUnless(shutil.which('xdotool'), 'xdotool, which presses the key, is not installed')
+    @unittest.skipUnless(shutil.which('xdotool'), 'not installed: xdotool, which presses the key')
     def test_a_key_shows_and_hides_the_figures(self):
         with self.painting(options=('--hud=draws,programs,bottom-left,hidden,key=ctrl+F7',)) as output:
             self.assertTrue(self.counts_reach(output, 'shown', lambda count: count == 0))
@@ -259,7 +259,7 @@ class Windows(Painting):
             time.sleep(0.2)
 
     @unittest.skipUnless(shutil.which('xdotool') and shutil.which('xkbcomp'),
-                         'xdotool, which presses the key, or xkbcomp is not installed')
+                         'not installed: xdotool, which presses the key, or xkbcomp')
     def test_the_key_follows_another_layout(self):
         layout = subprocess.run(['xkbcomp', '-xkb', self.display, '-'], check=True, capture_output=True,
                                 text=True).stdout

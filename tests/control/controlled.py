@@ -202,4 +202,4 @@ class Painting(Controlled):
 
 
 def main():
-    unittest.main(argv=sys.argv[:1] + sys.argv[4:])
+    unittest.main(argv=sys.argv[:1] + sys.argv[4:], verbosity=2)

@@ -213,7 +213,7 @@ def main():
         place = Place(options, folder)
         try:
             if not check_titles(place):
-                print('no context without a window here')
+                print('skipped: no context without a window')
                 return 77
             for check in (check_long_programs, check_precedence, check_every_setting, check_bad_files):
                 check(place)

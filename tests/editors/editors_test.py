@@ -47,7 +47,7 @@ EndPass;
 class Vim(unittest.TestCase):
     def setUp(self):
         if not shutil.which('vim'):
-            self.skipTest('no vim on this machine')
+            self.skipTest('not installed: vim')
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
@@ -229,7 +229,7 @@ class VsCode(unittest.TestCase):
 
     def test_extension(self):
         if not shutil.which('node'):
-            self.skipTest('no node on this machine')
+            self.skipTest('not installed: node')
         for name in ('extension.js', 'client.js'):
             subprocess.run(['node', '--check', VSCODE / name], check=True, timeout=60)
         done = subprocess.run(['node', pathlib.Path(__file__).with_name('vscode_test.js'), VSCODE,
@@ -241,7 +241,7 @@ class Emacs(unittest.TestCase):
     def test_mode(self):
         """The test checks the faces of words, the mode of files, and the language server's command."""
         if not shutil.which('emacs'):
-            self.skipTest('no Emacs on this machine')
+            self.skipTest('not installed: Emacs')
         with tempfile.TemporaryDirectory() as name:
             file = pathlib.Path(name, 'a.fp')
             file.write_text(FRAGMENT)
@@ -262,7 +262,7 @@ class Emacs(unittest.TestCase):
 class Neovim(unittest.TestCase):
     def test_the_documented_settings_show_diagnostics(self):
         if not shutil.which('nvim'):
-            self.skipTest('no Neovim on this machine')
+            self.skipTest('not installed: Neovim')
         page = (ROOT / 'docs' / 'write' / 'editors.md').read_text()
         settings = re.search(r'## Neovim\n+```\n(.*?)```', page, re.S).group(1)
         with tempfile.TemporaryDirectory() as name:
@@ -290,4 +290,4 @@ class Generated(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]], verbosity=2)

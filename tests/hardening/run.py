@@ -101,7 +101,7 @@ def check_tree(options):
     build = options.build.resolve()
     settings = {entry['name']: entry['value'] for entry in introspect(build, '--buildoptions')}
     if settings['b_sanitize'] != 'none':
-        print('a sanitizer stands in for these properties')
+        print('skipped: a sanitizer stands in for these properties')
         return 77
     files = installed(build)
     optimised = settings['optimization'] not in ('0', 'plain')

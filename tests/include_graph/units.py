@@ -77,7 +77,7 @@ def clashes(sources, headers=lambda name: ""):
 def check(build):
     units = sorted(build.rglob("*-unity*.cpp"))
     if not units:
-        print("no units in this tree")
+        print("skipped: no units in this tree")
         return 77
     source = pathlib.Path(__file__).resolve().parents[2] / "src"
     headers = functools.cache(lambda name: (source / name).read_text() if (source / name).exists() else "")

@@ -164,7 +164,7 @@ void copied(Recorder &r) {
 
 void resetStatus(Recorder &r) {
   if (!epoxy_has_gl_extension("GL_ARB_robustness"))
-    return r.skip("no ARB_robustness");
+    return r.skip("GL_ARB_robustness is not offered here");
   usePrograms();
   gradient();
   r.value("reset status", glGetGraphicsResetStatusARB());

@@ -122,7 +122,7 @@ void attachedAfterLinking(Recorder &r) {
 /// Tests ARB_shader_objects' names of the same calls.
 void objectApi(Recorder &r) {
   if (!epoxy_has_gl_extension("GL_ARB_shader_objects"))
-    return r.skip("no ARB_shader_objects");
+    return r.skip("GL_ARB_shader_objects is not offered here");
   usePrograms();
   const GLhandleARB program = glCreateProgramObjectARB();
   const GLhandleARB vertex = glCreateShaderObjectARB(GL_VERTEX_SHADER_ARB);
@@ -245,7 +245,7 @@ void geometryShader(Recorder &r) {
   GLint linked = 0;
   glGetProgramiv(program, GL_LINK_STATUS, &linked);
   if (!linked)
-    return r.skip("no geometry shaders in this profile");
+    return r.skip("the host lacks it: geometry shaders");
   glUseProgram(program);
   glBegin(GL_TRIANGLES);
   glColor4f(1, 0, 0, 1), glVertex2f(-1, -1);

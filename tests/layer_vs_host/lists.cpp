@@ -158,7 +158,7 @@ void programDeleted(Recorder &r) {
 /// Tests that the named commands of EXT_direct_state_access are compiled too.
 void namedCommands(Recorder &r) {
   if (!epoxy_has_gl_extension("GL_EXT_direct_state_access"))
-    return r.skip("no EXT_direct_state_access");
+    return r.skip("GL_EXT_direct_state_access is not offered here");
   const Programs programs = usePrograms();
   GLuint other[2] = {};
   glGenProgramsARB(2, other);

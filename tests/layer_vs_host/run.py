@@ -136,13 +136,14 @@ def main():
         bare = drawn[0].get(name, Report(died=-1))
         result, notes = judge(reasons[name], bare, layer)
         rows.append({"name": name, "result": result, "notes": notes})
-        print(f"{result:5} {name}")
-        for note in notes:
+        print(f"skip  {name}: {notes[0]}" if result == "skip" else f"{result:5} {name}")
+        for note in notes if result != "skip" else ():
             print(f"        {note}")
         if arguments.out:
             keep(arguments.out, name, bare, layer)
     tally = {r: sum(row["result"] == r for row in rows) for r in ("pass", "host", "FAIL", "skip")}
-    print("paths: " + ", ".join(f"{count} {result}" for result, count in tally.items()))
+    print(f"paths: the bare host is wrong in {tally['host']} of those that pass")
+    print(f"{tally['pass'] + tally['host']} passed, {tally['FAIL']} failed, {tally['skip']} skipped")
     if arguments.json:
         arguments.json.write_text(json.dumps({**tally, "cases": rows}, indent=2))
     return 1 if tally["FAIL"] else 0

@@ -91,9 +91,9 @@ def other_users(build, scratch):
     """Makes the client a set-user-ID program of another user. Returns it, or None and the reason."""
     path = scratch / "foreign_other_user"
     if os.geteuid() != 0:
-        return None, "only root makes a program of another user's"
+        return None, "needs root: a program of another user's is made"
     if os.statvfs(scratch).f_flag & os.ST_NOSUID:
-        return None, "set-user-ID has no effect in the temporary folder"
+        return None, "the temporary folder is mounted nosuid"
     shutil.copy(build / "tests/processes_vs_host/foreign", path)
     os.chown(path, 65534, 65534)
     path.chmod(0o4755)
@@ -110,7 +110,7 @@ def all_rows(build, scratch):
         if mode == "comma-locale":
             folder = comma_locale(scratch)
             if not folder:
-                skipped.append((mode, "no localedef, or no sources of de_DE (package locales)"))
+                skipped.append((mode, "not installed: localedef with the sources of de_DE (locales)"))
                 continue
             rows.append(Row(mode, mode, environment={"LOCPATH": str(folder), "FOREIGN_LOCALE": "de_DE.UTF-8"}))
         else:
@@ -125,7 +125,7 @@ def all_rows(build, scratch):
         if path:
             rows.append(Row(f"{name}:plain", "plain", preload=path))
         else:
-            skipped.append((name, f"{file} is not installed"))
+            skipped.append((name, f"not installed: {file}"))
     path, why = other_users(build, scratch)
     if path:  # the loader preloads nothing by its path there, so that even the layer's own check does not run
         rows.append(Row("set-user-id", "plain", client=path, without_layer=True))
@@ -134,7 +134,7 @@ def all_rows(build, scratch):
     if shutil.which("valgrind"):
         rows.append(Row("valgrind:own-allocator", "plain", client="foreign_own_allocator", wrapper=VALGRIND))
     else:
-        skipped.append(("valgrind:own-allocator", "no valgrind"))
+        skipped.append(("valgrind:own-allocator", "not installed: valgrind"))
     rows.append(Row("reopens-libgl", "plain", client="foreign_reopens"))
     rows += [Row(f"vertex-texture:{mode}", mode, layered=VERTEX_TEXTURE) for mode in SAMPLING]
     rows += [Row(f"vertex-texture:{mode}", mode, client="foreign_watched", layered=VERTEX_TEXTURE)
@@ -322,9 +322,10 @@ def main():
                 print(f"        {problem['way']}, seed {problem['seed']}: {problem['worse']}", flush=True)
     skipped += [(r["row"], "the bare host does not stand it") for r in results if r["result"] == "bare"]
     for name, why in skipped:
-        print(f"skip  {name:34} {why}")
+        print(f"skip  {name}: {why}")
     passed, failed = (sum(r["result"] == kind for r in results) for kind in ("pass", "FAIL"))
-    print(f"processes: {passed} passed, {failed} failed, {len(skipped)} skipped; seed {first}")
+    print(f"processes: seed {first}")
+    print(f"{passed} passed, {failed} failed, {len(skipped)} skipped")
     if arguments.json:
         arguments.json.write_text(json.dumps({"seed": first, "repeat": arguments.repeat, "passed": passed,
                                               "failed": failed, "skipped": [s[0] for s in skipped],

@@ -282,21 +282,21 @@ def main():
                 failed += bool(fault)
                 passed += not fault
                 if fault:
-                    print(f"{label}: {fault}", flush=True)
+                    print(f"FAIL {label}: {fault}", flush=True)
             if drawn >= len(batch) and not given:
                 continue
             for label, numbers in batch:
                 _, _, one, other = run([numbers])
                 if not one or other:
                     failed += 1
-                    print(f"{label}: the rasterizer drew {one}, the host {other}", flush=True)
+                    print(f"FAIL {label}: the rasterizer drew {one}, the host {other}", flush=True)
         alone = pool.map(lambda each: run([each[2]]), left)
         for (reason, label, _), (_, _, one, other) in zip(left, alone):
             fault = one or set(other) != {reason}
             failed += bool(fault)
             passed += not fault
             if fault:
-                print(f"{label}: the rasterizer drew {one}, the host {other}, not for '{reason}'")
+                print(f"FAIL {label}: the rasterizer drew {one}, the host {other}, not for '{reason}'")
     if not args.only:
         kinds, faults = pbuffer_faults(args.build.resolve())
         passed += kinds

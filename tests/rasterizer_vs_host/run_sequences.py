@@ -141,7 +141,7 @@ def self_test():
 
 
 def report(sequences, seed, lines, reduces):
-    print(f"seed {seed}: differs")
+    print(f"FAIL seed {seed}: differs")
     for line in lines[:4]:
         print(f"    {line}")
     if not reduces:

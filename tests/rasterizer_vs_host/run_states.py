@@ -241,7 +241,7 @@ def main():
                 if not lines:
                     continue
                 failed += 1
-                print(f"row {number} of seed {args.seed}:")
+                print(f"FAIL row {number} of seed {args.seed}:")
                 print("\n".join(f"    {text}" for text in lines), flush=True)
                 if args.out:
                     keep(args.out, number, scene, bare, layer)

@@ -144,7 +144,7 @@ class Case:
         return self.seen.get(key, [])
 
     def results(self):
-        """Returns [(what ran, complaints, the run or None)]; complaints are None if it is skipped."""
+        """Returns [(what ran, complaints, the run or None)]; in place of complaints, why it is skipped."""
         found = []
         for way in self.row.ways:
             if not way.only(self.name):
@@ -155,8 +155,10 @@ class Case:
             try:
                 bare = self.bare_of(way)
             except DEATHS as death:
-                if SKIPPED in str(death) or self.row.bare_may_die:
-                    return [(f"{what}: the bare host: {death}", None if SKIPPED in str(death) else [], None)]
+                if SKIPPED in str(death):
+                    return [(what, f"the host lacks it: {death}", None)]
+                if self.row.bare_may_die:
+                    return [(f"{what}: the bare host: {death}", [], None)]
                 return [(what, [f"the bare host: {death}"], None)]
             try:
                 run = Run(self, way, bare, *self.process(way, way))
@@ -192,8 +194,8 @@ class Runner:
         with concurrent.futures.ThreadPoolExecutor(self.args.jobs) as pool:
             for results in pool.map(Case.results, self.cases()):
                 for what, wrong, run in results:
-                    if wrong is None:
-                        tally.skip(what, "the host lacks it")
+                    if isinstance(wrong, str):
+                        tally.skip(what, wrong)
                         continue
                     tally.row(what, wrong, 12)
                     drawn += run.drawn if run else 0

@@ -155,7 +155,7 @@ def cpu_setting(cpu):
         return {}
     words = pathlib.Path("/proc/cpuinfo").read_text().split()
     if CPU_FLAGS[cpu] not in words:
-        print(f"0 passed, 0 failed, 1 skipped: this processor has no {cpu}")
+        print(f"skipped: this processor does not run code for {cpu}")
         sys.exit(77)
     return {"ARBITER_CPU": cpu}
 

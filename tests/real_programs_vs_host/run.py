@@ -96,11 +96,11 @@ def _compare(programs: list[Program], options: argparse.Namespace) -> int:
             program.finish((options.work / program.name).absolute())
     out.mkdir(parents=True, exist_ok=True)
     (out / "result.json").write_text(json.dumps({"schema": 1, "rows": rows}, indent=1) + "\n")
-    failed = sum(1 for r in rows if r["verdict"] != "pass")
-    passed = len(rows) - failed
+    failures = [f"{r['program']}, {r['case']}, {r['mode']}: {r['reason']}" for r in rows if r["verdict"] != "pass"]
+    failed, passed = len(failures), len(rows) - len(failures)
     if options.counts:
         options.counts.write_text(json.dumps({"name": "real", "passed": passed, "failed": failed,
-                                              "skipped": 0}) + "\n")
+                                              "skipped": 0, "failures": failures, "skips": {}}) + "\n")
     print(f"pictures and result.json: {out}")
     print(f"{passed} passed, {failed} failed, 0 skipped")
     return 1 if failed else 0

@@ -90,7 +90,8 @@ def steps(build: Path, out: Path) -> int:
             print(f"fail  {backend}: the layer compiled no program: Wine's ARB back end did not draw")
     (out / "report.json").write_text(json.dumps(rows, indent=1) + "\n")
     failed = sum(row["result"] == "fail" for row in rows)
-    print(f"shader models: {len(rows) - failed} passed, {failed} failed, 0 skipped; pictures: {out}")
+    print(f"shader models: pictures: {out}")
+    print(f"{len(rows) - failed} passed, {failed} failed, 0 skipped")
     return 1 if failed else 0
 
 

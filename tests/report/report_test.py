@@ -235,7 +235,7 @@ setTimeout(() => {
 </script></body>'''
 
 
-@unittest.skipUnless(CHROMIUM, 'chromium is not installed')
+@unittest.skipUnless(CHROMIUM, 'not installed: chromium')
 class Browser(Folder):
     def chromium(self, address, *options):
         with tempfile.TemporaryDirectory(prefix='arbiter-chromium-') as profile:
@@ -339,4 +339,4 @@ class Browser(Folder):
 
 
 if __name__ == '__main__':
-    unittest.main(argv=sys.argv[:1] + sys.argv[4:])
+    unittest.main(argv=sys.argv[:1] + sys.argv[4:], verbosity=2)

@@ -128,7 +128,7 @@ def batch(model, count, windows, first, size):
     backends = [side for side in model.environments if side != "bare"]
     bare = model.run("bare", windows, first, size)
     again = None
-    failures, skipped = [], [seed for seed in bare if ended(bare[seed])]
+    failures, skipped = [], [(seed, side) for seed in bare if ended(bare[seed]) for side in backends]
     for side in backends:
         layer = model.run(side, windows, first, size)
         for seed in range(first, first + size):
@@ -137,7 +137,7 @@ def batch(model, count, windows, first, size):
                 continue
             again = again or model.run("bare", windows, first, size)
             if again[seed] != bare[seed] or bare_ends_so(model, side, windows, seed, layer[seed]):
-                skipped.append(seed)  # a fault of the bare host
+                skipped.append((seed, side))  # a fault of the bare host
             else:
                 failures.append({"seed": seed, "backend": side, "windows": windows, "what": what})
     count.add(size, failures, skipped)
@@ -250,22 +250,26 @@ def main():
                   f"rasterizer drew {total}")
             bad += total == 0
     for failure in count.failures:
-        print(f"seed {failure['seed']}, {failure['backend']}{', windows' if failure['windows'] else ''}: "
+        print(f"FAIL seed {failure['seed']}, {failure['backend']}{', windows' if failure['windows'] else ''}: "
               f"{failure['what']}")
         if "kept" in failure:
             print(f"    reduced to {','.join(map(str, failure['kept']))}: {failure['reduced']}")
             for name in failure["commands"]:
                 print(f"      {name}")
     seconds = time.monotonic() - count.started
-    failed = len(count.failures) + bad
+    failed, skipped = len(count.failures) + bad, sorted(set(count.skipped))
+    seeds = sorted({seed for seed, _ in skipped})
     if args.json:
         args.json.write_text(json.dumps(
             {"sequences": args.count, "commands": args.commands, "backends": list(backends),
              "windows_percent": args.windows, "failures": count.failures,
-             "skipped": sorted(set(count.skipped)), "seconds": round(seconds, 1)}, indent=2) + "\n")
+             "skipped": seeds, "seconds": round(seconds, 1)}, indent=2) + "\n")
+    for seed, backend in skipped:
+        print(f"skip seed {seed}, {backend}: the bare host fails or is not steady")
     print(f"{args.count} sequences a back end in {seconds:.0f} s; of the bare host's own making: "
-          f"{len(set(count.skipped))}")
-    print(f"{args.count * len(backends) - failed} passed, {failed} failed, {len(set(count.skipped))} skipped")
+          f"{len(seeds)}")
+    print(f"{args.count * len(backends) - len(count.failures) - len(skipped)} passed, {failed} failed, "
+          f"{len(skipped)} skipped")
     return 1 if failed else 0
 
 

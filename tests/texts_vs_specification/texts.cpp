@@ -157,7 +157,7 @@ int main(int argc, char **argv) {
   }
   Drawer drawer;
   if (!drawer.open()) {
-    std::fputs("texts: no float framebuffer on this host\n", stderr);
+    std::fputs("texts: skipped: the host lacks it: float framebuffers\n", stderr);
     return 77;
   }
   std::printf("version %s\n", reinterpret_cast<const char *>(glGetString(GL_VERSION)));

@@ -154,7 +154,7 @@ class Suite:
 
     def fail(self, subject, pixel, text):
         self.failures.append(subject.describe(pixel) + ': ' + text)
-        print(self.failures[-1], flush=True)
+        print('FAIL ' + self.failures[-1], flush=True)
 
     def count(self, subject, pixel, trace, opaque):
         self.discarded += trace['discarded']
@@ -310,8 +310,12 @@ def main():
     enough = (suite.traces >= 0.99 * arguments.count and
               suite.pictures <= max(2, 0.01 * suite.opaque) and suite.bare <= MOST_BARE)
     if not enough:
-        print(f'{arguments.count} traces were asked for, and 99 in 100 pictures of their colour')
-    return 0 if enough and not suite.failures and not slow else 1
+        print(f'FAIL {arguments.count} traces were asked for, and 99 in 100 pictures of their colour')
+    if slow:
+        print('FAIL the times are longer than what is asked')
+    failed = len(suite.failures) + (not enough) + slow
+    print(f'{suite.traces - len(suite.failures)} passed, {failed} failed, 0 skipped')
+    return 1 if failed else 0
 
 
 if __name__ == '__main__':

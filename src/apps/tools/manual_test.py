@@ -23,7 +23,7 @@ class Manual(unittest.TestCase):
 
     def test_man_has_no_warning(self):
         if not shutil.which('man'):
-            self.skipTest('no man on this machine')
+            self.skipTest('not installed: man')
         pages = sorted(MAN.glob('*.[1-8]'))
         self.assertGreater(len(pages), 15)
         for page in pages:
@@ -41,4 +41,4 @@ class Manual(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    unittest.main(argv=[sys.argv[0]])
+    unittest.main(argv=[sys.argv[0]], verbosity=2)

@@ -328,11 +328,11 @@ def main():
             for options, operands, fault in lines:
                 words = [word for option in options for word in option.words()]
                 print(f'arbiter {verb.name} {" ".join([*words, *operands])}: {fault}')
-            print(f'{verb.name}: {len(verb.options)} options with their values, {len(jobs)} runs, '
-                  f'{len(lines)} faults', flush=True)
-            failed += len(lines)
+            print(f'{"FAIL" if lines else "pass"} {verb.name}: {len(verb.options)} options with their values, '
+                  f'{len(jobs)} runs, {len(lines)} faults', flush=True)
+            failed += bool(lines)
             total += len(jobs)
-    print(f'{total} runs, {failed} faults')
+    print(f'{total} runs\n{len(verbs) - failed} passed, {failed} failed, 0 skipped')
     return 1 if failed or not total else 0
 
 

@@ -52,7 +52,7 @@ TEST(Piglit, ParserProgramsLoadOrFailAsTheySay) {
   for (const std::string language : kLanguages) {
     const auto all = programs(language);
     if (all.empty())
-      GTEST_SKIP() << "the package piglit is not installed";
+      GTEST_SKIP() << "not installed: piglit";
     int plain = 0;
     for (const auto &[name, text] : all) {
       const CheckResult result = checkProgram(languageNamed(language), text, generous());
@@ -73,7 +73,7 @@ TEST(Piglit, ParserProgramsCutAtEveryByteAndWithEachTokenGoneOrDoubled) {
   for (const std::string language : kLanguages) {
     const auto all = programs(language);
     if (all.empty())
-      GTEST_SKIP() << "the package piglit is not installed";
+      GTEST_SKIP() << "not installed: piglit";
     const auto expectSane = [&](const std::string &text, const std::string &name) {
       const CheckResult result = checkProgram(languageNamed(language), text, generous());
       EXPECT_EQ(result.ok(), result.errorPosition() < 0) << name;

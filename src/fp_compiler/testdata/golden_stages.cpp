@@ -99,7 +99,7 @@ private:
 /// 77 is a skipped test's status.
 int validateGlsl(const std::vector<fs::path> &folders) {
   if (std::system("glslangValidator -v >/dev/null 2>&1") != 0) {
-    std::cout << "glslangValidator is not installed (package glslang-tools)\n";
+    std::cout << "skipped: not installed: glslangValidator (glslang-tools)\n";
     return 77;
   }
   int files = 0, failures = 0;

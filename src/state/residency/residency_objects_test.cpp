@@ -37,7 +37,7 @@ TEST_F(Residency, HugeTexturesStayTheHosts) {
   gl().TexImage3D(GL_TEXTURE_3D, 0, GL_RGBA8, 512, 512, 1024, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                   nullptr);
   if (gl().GetError() != GL_NO_ERROR)
-    GTEST_SKIP() << "the host has no memory for it";
+    GTEST_SKIP() << "the host has no memory for a texture of 1 GiB";
   gl().TexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   changed();
   const TextureLevels levels = {0, 0};

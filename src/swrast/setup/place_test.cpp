@@ -120,13 +120,13 @@ TEST(Place, PlacesFourCornersAsOneAtATimeIsPlaced) {
 #if defined(__x86_64__) || defined(__i386__)
 TEST(Place, PlacesThemSoWithAvx2) {
   if (vectors() < Vectors::Avx2)
-    GTEST_SKIP() << "no AVX2";
+    GTEST_SKIP() << "this processor does not run code for avx2";
   compareMany(placeVerticesAvx2);
 }
 
 TEST(Place, PlacesThemSoWithAvx512) {
   if (vectors() < Vectors::Avx512)
-    GTEST_SKIP() << "no AVX-512";
+    GTEST_SKIP() << "this processor does not run code for avx512";
   compareMany(placeVerticesAvx512);
 }
 #endif

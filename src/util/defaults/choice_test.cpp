@@ -189,7 +189,7 @@ TEST_F(DefaultsFolder, FilesThatCannotBeFollowed) {
 TEST_F(DefaultsFolder, AnothersFileInTheUsersFolder) {
   const std::string file = put("a/1.toml", entry("t", "name='game'", "threads=1"));
   if (::chown(file.c_str(), 65533, 65533) != 0)
-    GTEST_SKIP() << "only root gives files away";
+    GTEST_SKIP() << "needs root: only root gives files away";
   EXPECT_THAT(readFolders({{root / "a", true}})[0].errors, ElementsAre(HasSubstr("another user")));
   EXPECT_THAT(readFolders({{root / "a", true}})[0].entries, IsEmpty());
   EXPECT_THAT(readFolders({{root / "a", false}})[0].entries, SizeIs(1));

@@ -95,14 +95,15 @@ def _compare_all(options: argparse.Namespace, choice: Choice, chosen: list[Way])
 def _report(rows: list[Row], options: argparse.Namespace) -> int:
     out = (options.out or options.work / "recordings").absolute()
     out.mkdir(parents=True, exist_ok=True)
-    failed = sum(1 for row in rows if not row.passed)
-    passed = len(rows) - failed
+    failures = [f"{row.recording}, {row.way}: {row.reason}" for row in rows if not row.passed]
+    failed, passed = len(failures), len(rows) - len(failures)
     listed = [{**asdict(row), "reason": row.reason,
                "verdict": "pass" if row.passed else "fail"} for row in rows]
     (out / "recordings.json").write_text(json.dumps({"schema": 1, "rows": listed}, indent=1) + "\n")
     if options.counts:
         options.counts.write_text(json.dumps({"name": "recordings", "passed": passed,
-                                              "failed": failed, "skipped": 0}) + "\n")
+                                              "failed": failed, "skipped": 0, "failures": failures,
+                                              "skips": {}}) + "\n")
     print(f"pictures of wrong frames and recordings.json: {out}")
     print(f"{passed} passed, {failed} failed, 0 skipped")
     return 1 if failed or not rows else 0

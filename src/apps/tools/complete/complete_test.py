@@ -126,7 +126,7 @@ class Shell(unittest.TestCase):
 
     def need(self, name):
         if not shutil.which(name):
-            self.skipTest(f'{name} is not installed')
+            self.skipTest(f'not installed: {name}')
 
     def ask(self, *command):
         result = subprocess.run(command, capture_output=True, text=True, timeout=60, env=self.environment,
@@ -225,4 +225,4 @@ class Zsh(Shell):
 
 
 if __name__ == '__main__':
-    unittest.main(argv=[sys.argv[0]] + sys.argv[3:])
+    unittest.main(argv=[sys.argv[0]] + sys.argv[3:], verbosity=2)

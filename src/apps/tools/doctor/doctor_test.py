@@ -116,7 +116,7 @@ class Doctor(Examined):
         try:
             os.setxattr(game, 'security.capability', struct.pack('<5I', 0x02000001, 1 << 13, 0, 0, 0))
         except OSError as error:
-            self.skipTest(f'no capabilities on this file system, or for this user: {error}')
+            self.skipTest(f'no capabilities of files here: {error}')
         self.assertEqual(self.obstacles(self.ask(game)), {'capabilities'})
 
     def test_another_width(self):
@@ -395,7 +395,7 @@ class Doctor(Examined):
     def test_a_run_of_indirect_contexts(self):
         """Runs on the test's own X server."""
         if not shutil.which('Xvfb'):
-            self.skipTest('no Xvfb')
+            self.skipTest('not installed: Xvfb')
         game = self.compile('game', GLX_CLIENT, '-lGL', '-lX11')
         with XServer(options=('+iglx',)) as display:
             found = self.ask(game, options=('--run',), DISPLAY=display, LIBGL_ALWAYS_INDIRECT='1')
@@ -432,4 +432,4 @@ class Doctor(Examined):
 
 
 if __name__ == '__main__':
-    unittest.main(argv=[sys.argv[0]] + sys.argv[4:])
+    unittest.main(argv=[sys.argv[0]] + sys.argv[4:], verbosity=2)

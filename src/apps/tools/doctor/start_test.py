@@ -69,7 +69,7 @@ class Start(Examined):
         self.assertEqual(self.said(loader_of(game), game), ([], 7))
         self.assertEqual(self.said(loader_of(game), '--library-path', self.root, game), ([], 7))
 
-    @unittest.skipUnless(os.geteuid() == 0, 'another user is wanted')
+    @unittest.skipUnless(os.geteuid() == 0, 'needs root: another user is wanted')
     def test_a_set_user_id_program(self):
         game = self.compile('game', 'int main() { return 7; }\n')
         os.chown(game, 65533, 65533)
@@ -117,4 +117,4 @@ class Widths(Examined):
 
 
 if __name__ == '__main__':
-    unittest.main(argv=[sys.argv[0]] + sys.argv[4:])
+    unittest.main(argv=[sys.argv[0]] + sys.argv[4:], verbosity=2)

@@ -200,7 +200,7 @@ private:
 
 TEST(Engine, CodeLiesBesideItsConstants) {
   if (sizeof(void *) == 4)
-    GTEST_SKIP() << "of 32 bits no two addresses are too far apart";
+    GTEST_SKIP() << "32 bits: no two addresses are too far apart";
   const auto engine = engineFor({});
   ASSERT_NE(engine, nullptr);
   const auto before = compiled(*engine, scaled(1)); // first maps what LLVM itself maps once

@@ -294,7 +294,7 @@ INSTANTIATE_TEST_SUITE_P(Cpus, PixelTest, ::testing::Values("avx512", "avx2", "s
 TEST_P(PixelTest, RandomStates) {
   const auto engine = llvm_back::makeEngine({GetParam()});
   if (!engine)
-    GTEST_SKIP() << "this processor is none of the family";
+    GTEST_SKIP() << "this processor does not run code for " << GetParam();
   for (std::uint32_t seed = 0; seed < 220; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
