@@ -109,6 +109,29 @@ def straight(command, symbol, dirty, call, handled):
                    f"    {host_way}\n  {give}handle_{symbol}({command.arguments()});\n")
 
 
+def own(table, command, symbol, dirty, call):
+    """Returns the entry point of a command that the layer implements, and its handler if that is a function apart."""
+    name, void = command.name, command.result == "void"
+    give = "" if void else "return "
+    lead = "  ContextHot *const t = t_current;\n"
+    handled = f"{give}{handler_call(table, command)};"
+    if name in table.config["own"]["straight"]:
+        return straight(command, symbol, dirty, call, guarded(command, f"  {handled}\n"))
+    handled = dirty + guarded(command, f"  {handled}\n")
+    if name in table.config["own"]["everywhere"]:
+        return "", lead + handled
+    hosts = "t->passThrough"
+    if name in table.offered:
+        hosts += f" || !state::offered::{table.offered[name]}(here())"
+    refusal = ""
+    if name in table.refused:
+        why = f'"{name}: the profile does not have it"'
+        refusal = (f"    if (!t->passThrough && state::offered::refuses(here(), {why}))\n"
+                   f"      return{'' if void else ' {}'};\n")
+    leave = "    return;\n" if void else ""
+    return "", lead + f"  if ({hosts}) [[unlikely]] {{\n{refusal}    {call}\n{leave}  }}\n{handled}"
+
+
 def thunks(table, command, action, symbol):
     """Returns the entry point's body, and a separate function for its rare path.
 
@@ -126,21 +149,7 @@ def thunks(table, command, action, symbol):
         return "", (lead + dirty + f"  if (!t->softwareListens) [[likely]]\n    {host_way}\n"
                     + guarded(command, f"  {handled}\n"))
     if action == "own":
-        handled = f"{give}{handler_call(table, command)};"
-        if name in table.config["own"]["straight"]:
-            return straight(command, symbol, dirty, call, guarded(command, f"  {handled}\n"))
-        handled = dirty + guarded(command, f"  {handled}\n")
-        if name in table.config["own"]["everywhere"]:
-            return "", lead + handled
-        hosts = "t->passThrough"
-        if name in table.offered:
-            hosts += f" || !state::offered::{table.offered[name]}(here())"
-        refusal = ""
-        if name in table.refused:
-            refusal = (f'    if (!t->passThrough && state::offered::refuses(here(), "{name}: the profile does not have it"))\n'
-                       f"      return{'' if result == 'void' else ' {}'};\n")
-        leave = "    return;\n" if result == "void" else ""
-        return "", lead + f"  if ({hosts}) [[unlikely]] {{\n{refusal}    {call}\n{leave}  }}\n{handled}"
+        return own(table, command, symbol, dirty, call)
     if action == "guard":
         lines = "".join(f"  {n} = handlers::{GUARDS[kind]}(here(), {n});\n" for t, n, kind in command.params
                         if kind in GUARDS and "*" not in t)
