@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "util/counter.h"
+#include "util/record/counter.h"
 
 namespace arbiter::host {
 struct HostTable;

@@ -16,7 +16,7 @@
 #include "state/objects/capture_effective.h"
 #include "state/objects/feedback_tracker.h"
 #include "state/objects/list_recorder.h"
-#include "util/counter.h"
+#include "util/record/counter.h"
 
 namespace arbiter::state {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <unordered_map>
 
-#include "util/counter.h"
+#include "util/record/counter.h"
 
 /// Texture feedback: copies of a colour buffer to a texture level (glReadBuffer, then
 /// glCopyTexSubImage), the multipass technique of the time. Tracks which buffer became which level,
