@@ -26,7 +26,7 @@ check_format() { sources '*.cpp' '*.h' | xargs -r clang-format --dry-run --Werro
 # Each checker first shows that it finds what is planted.
 check_graph() {
   local checker
-  for checker in include_graph/include_graph include_graph/sub_rooms references/{references,sentences,comments}; do
+  for checker in include_graph/include_graph include_graph/sub_rooms references/{references,sentences,comments,version}; do
     python3 "$root/tests/$checker.py" --self-test && python3 "$root/tests/$checker.py" "$root" ||
       return 1
   done

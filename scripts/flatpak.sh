@@ -12,7 +12,7 @@ source "$root/scripts/dev_lib.sh"
 branch=${1:-24.08}
 id=org.freedesktop.Platform.VulkanLayer.Arbiter
 work=$root/build-flatpak
-version=$(sed -n "s/^  version: '\(.*\)',$/\1/p" "$root/meson.build")
+version=$(<"$root/VERSION")
 bundle=$out/arbiter-$version-$branch-$(flatpak --default-arch).flatpak
 
 missing=()

@@ -12,7 +12,7 @@ root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
 # shellcheck source=scripts/dev_lib.sh
 source "$root/scripts/dev_lib.sh"
 
-version=$(sed -n "s/^  version: '\(.*\)',$/\1/p" "$root/meson.build")
+version=$(<"$root/VERSION")
 architecture=$(dpkg --print-architecture 2>/dev/null || uname -m)
 name=arbiter-$version-$architecture
 work=$root/build-package/tarball
@@ -39,7 +39,7 @@ rm -rf "$work/$name/bin/arbiter-builder" "$work/$name"/share/{applications,icons
   "$work/$name/share/man/man1/arbiter-builder.1"
 find "$work/$name" -name 'libGLX_arbiter.so' -delete
 mkdir -p "$work/$name/share/doc/arbiter/docs"
-cp -a "$root/README.md" "$root/CONTRIBUTING.md" "$root/SECURITY.md" "$root/LICENSE" "$work/$name/share/doc/arbiter/"
+cp -a "$root/README.md" "$root/CONTRIBUTING.md" "$root/SECURITY.md" "$root/CHANGELOG.md" "$root/LICENSE" "$work/$name/share/doc/arbiter/"
 cp -a "$root"/docs/{README.md,use,write,driver,design,reference,pictures} "$work/$name/share/doc/arbiter/docs/"
 mkdir "$work/$name/share/doc/arbiter/docs/results"
 cp -a "$root"/docs/results/{*.md,*.json,pictures} "$work/$name/share/doc/arbiter/docs/results/"

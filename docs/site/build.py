@@ -22,7 +22,8 @@ sys.path.insert(0, str(ROOT / "tests" / "references"))
 import links  # noqa: E402
 from references import tracked  # noqa: E402
 
-ROOT_PAGES = ("README.md", "CONTRIBUTING.md", "SECURITY.md", "bench/README.md", "demos/README.md", "editors/README.md")
+ROOT_PAGES = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "bench/README.md", "demos/README.md",
+              "editors/README.md")
 SECTIONS = (("Run", "use"), ("Write", "write"), ("Driver", "driver"), ("Design", "design"), ("Reference", "reference"),
             ("Results", "results"))
 EXTRA = {"css": HERE / "site.css", "js": HERE / "site.js"}
@@ -102,6 +103,7 @@ def build(out):
     config = {
         "site_name": "Arbiter", "docs_dir": str(source.resolve()), "site_dir": str(out.resolve()),
         "theme": {"name": "mkdocs", "highlightjs": False, "navigation_depth": 2},
+        "copyright": "Arbiter " + (ROOT / "VERSION").read_text().strip(),  # the foot of each page
         "use_directory_urls": False, "extra_css": ["site.css"], "extra_javascript": ["site.js"],
         "plugins": ["search"], "nav": navigation(titles),
         "markdown_extensions": [{"toc": {"permalink": False}}, "sane_lists"],
