@@ -26,7 +26,7 @@ check_format() { sources '*.cpp' '*.h' | xargs -r clang-format --dry-run --Werro
 # Each checker first shows that it finds what is planted.
 check_graph() {
   local checker
-  for checker in include_graph/include_graph include_graph/sub_rooms references/{references,sentences,comments,version}; do
+  for checker in include_graph/include_graph include_graph/sub_rooms references/{references,sentences,comments,version,copyright}; do
     python3 "$root/tests/$checker.py" --self-test && python3 "$root/tests/$checker.py" "$root" ||
       return 1
   done
@@ -60,6 +60,19 @@ check_generated() {
     python3 "$root/editors/generate.py" --check
 }
 
+# Each file has a holder and a licence whose text is there; a file without any, planted, is found.
+check_reuse() {
+  local planted found=true
+  planted=$(mktemp -d)
+  echo planted >"$planted/planted.txt"
+  if reuse --root "$planted" lint &>/dev/null; then
+    echo "reuse does not see a file without a licence"
+    found=false
+  fi
+  rm -r "$planted"
+  $found && (cd "$root" && reuse lint)
+}
+
 # Only what the tree compiles: clang-tidy needs each file's flags.
 check_tidy() {
   python3 -c '
@@ -79,6 +92,7 @@ if [[ $build != --quick ]]; then
   part "lists of Meson" check_meson
   part "headers by themselves" check_headers
   part "generated files" check_generated
+  part "copyright" check_reuse
   part "tidy" check_tidy
 fi
 [[ $failures == 0 ]]

@@ -30,7 +30,7 @@ packages_slurm=(slurm-client)
 
 packages_bench=(xvfb xauth)
 packages_check_quick=(clang-format flake8 shellcheck)
-packages_check=(clang-tidy)
+packages_check=(clang-tidy reuse)
 packages_clang=(clang)
 packages_fuzz=(clang-14 libclang-rt-14-dev)
 packages_package=(dpkg-dev debhelper fakeroot ccache)
