@@ -26,7 +26,8 @@ check_format() { sources '*.cpp' '*.h' | xargs -r clang-format --dry-run --Werro
 # Each checker first shows that it finds what is planted.
 check_graph() {
   local checker
-  for checker in include_graph/include_graph include_graph/sub_rooms references/{references,sentences,comments,version,copyright}; do
+  for checker in include_graph/{include_graph,sub_rooms} \
+    references/{references,sentences,comments,version,copyright,workflows}; do
     python3 "$root/tests/$checker.py" --self-test && python3 "$root/tests/$checker.py" "$root" ||
       return 1
   done
