@@ -40,6 +40,13 @@ stage_times() {
   printf ']\n' >>"$1"
 }
 
+# usage: pack FOLDER NAME FILE.tar.xz   NAME in that folder, as bytes of the contents and SOURCE_DATE_EPOCH alone
+pack() {
+  tar -C "$1" --sort=name --mtime="@$SOURCE_DATE_EPOCH" --owner=0 --group=0 --numeric-owner \
+    --mode=u+rwX,go+rX,go-w --pax-option=exthdr.name=%d/PaxHeaders/%f,delete=atime,delete=ctime -cf - "$2" |
+    xz -T1 -6 >"$3"
+}
+
 fail() {
   printf 'dev: %s\n' "$*" >&2
   exit 1

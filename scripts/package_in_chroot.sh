@@ -22,6 +22,7 @@ fi
 
 inside() { chroot "$chroot" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/tmp LC_ALL=C.UTF-8 \
   DEBIAN_FRONTEND=noninteractive DEB_BUILD_PROFILES=pkg.arbiter.libs CCACHE_DIR=/ccache CCACHE_NOHASHDIR=1 \
+  ${SOURCE_DATE_EPOCH:+"SOURCE_DATE_EPOCH=$SOURCE_DATE_EPOCH"} \
   DEB_BUILD_OPTIONS="${DEB_BUILD_OPTIONS:-parallel=$(nproc)}" "$@"; }
 
 # What the packages are built with is kept; it is asked for again, as that may have changed.

@@ -65,7 +65,5 @@ for program in "${programs[@]}"; do
 done
 
 mkdir -p "$out"
-tar -C "$work" --sort=name --mtime="@$SOURCE_DATE_EPOCH" --owner=0 --group=0 --numeric-owner \
-  --pax-option=exthdr.name=%d/PaxHeaders/%f,delete=atime,delete=ctime -cf - "$name" |
-  xz -T1 -6 >"$out/$name.tar.xz"
+pack "$work" "$name" "$out/$name.tar.xz"
 printf '%s\n' "$out/$name.tar.xz"

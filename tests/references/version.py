@@ -31,6 +31,7 @@ READERS = {
     "meson.build": "version: files('VERSION')",
     "docs/site/build.py": '"VERSION"',
     "scripts/tarball.sh": '"$root/VERSION"',
+    "scripts/artefacts.sh": '"$root/VERSION"',
     "scripts/flatpak.sh": '"$root/VERSION"',
     "data/meson.build": "CHANGELOG.md",
     "data/arbiter-builder.metainfo.xml.in": "@releases@",
