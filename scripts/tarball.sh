@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # A folder that runs from wherever it is unpacked: out/arbiter-VERSION-ARCHITECTURE.tar.xz
-# usage: scripts/tarball.sh [BUILD]     BUILD, a tree of these options without
+# usage: scripts/tarball.sh [BUILD]           BUILD, a tree of these options without
+#        scripts/tarball.sh --check [FILE]    uses the file of this version, or FILE (scripts/check_tarball.sh)
 #
 # The command finds the layer from where it lies itself. Libraries that a machine without the build's
-# packages may lack are beside the layer; the C library, the C++ library and GL are the machine's.
+# packages may lack are beside the layer (scripts/private_libraries.sh); those of a desktop are the machine's.
 set -euo pipefail
 
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
@@ -19,9 +20,12 @@ work=$root/build-package/tarball
 SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git -C "$root" log -1 --format=%ct 2>/dev/null || date +%s)}
 export SOURCE_DATE_EPOCH
 
+if [[ ${1:-} == --check ]]; then
+  exec "$root/scripts/check_tarball.sh" "${2:-$out/$name.tar.xz}"
+fi
 tree=${1:-$root/build-tarball}
 if [[ $# == 0 ]]; then
-  configure "$tree" -Dprefix=/usr -Dbuildtype=release -Dtests=false -Ddemos=true -Dbuilder=disabled \
+  configure "$tree" -Dprefix=/usr -Dbuildtype=release -Dtests=false -Ddemos=true -Dbuilder=enabled \
     -Dsource_paths=false "-Dcpp_args=-ffile-prefix-map=$root=." -Db_pch=true
   compile "$tree"
 fi
@@ -34,35 +38,21 @@ prefix=$(meson introspect --buildoptions "$tree" | python3 -c '
 import json, sys
 print(next(one["value"] for one in json.load(sys.stdin) if one["name"] == "prefix"))')
 cp -a "$work/staged$prefix/." "$work/$name/"
-# The window would need all of Qt; what only links libraries is of a development package.
-rm -rf "$work/$name/bin/arbiter-builder" "$work/$name"/share/{applications,icons} \
-  "$work/$name/share/man/man1/arbiter-builder.1"
+# What only links libraries is of a development package.
 find "$work/$name" -name 'libGLX_arbiter.so' -delete
 mkdir -p "$work/$name/share/doc/arbiter/docs"
-cp -a "$root/README.md" "$root/CONTRIBUTING.md" "$root/SECURITY.md" "$root/CHANGELOG.md" "$root/LICENSE" "$work/$name/share/doc/arbiter/"
+# Two pictures have licences of their own, which debian/copyright names.
+cp -a "$root"/{README,CONTRIBUTING,SECURITY,CHANGELOG}.md "$root/LICENSE" "$root/debian/copyright" \
+  "$work/$name/share/doc/arbiter/"
 cp -a "$root"/docs/{README.md,use,write,driver,design,reference,pictures} "$work/$name/share/doc/arbiter/docs/"
 mkdir "$work/$name/share/doc/arbiter/docs/results"
 cp -a "$root"/docs/results/{*.md,*.json,pictures} "$work/$name/share/doc/arbiter/docs/results/"
 cp -a "$root/editors" "$work/$name/share/arbiter/editors"
 
-# Shared libraries of the command and the demonstrations that are no part of a desktop's base.
-private=$work/$name/lib/arbiter-private
-mkdir -p "$private"
 mapfile -t programs < <(find "$work/$name/bin" "$work/$name/libexec" -type f -executable)
-for program in "${programs[@]}"; do
-  strip --strip-unneeded "$program"
-  ldd "$program" | awk '$2 == "=>" { print $1, $3 }'
-done | sort -u | while read -r library path; do
-  case $library in
-    libepoxy.so* | libtinyobjloader.so* | libglfw.so* | libpng16.so* | libjpeg.so*)
-      cp -L "$path" "$private/$library"
-      ;;
-  esac
-done
+for program in "${programs[@]}"; do strip --strip-unneeded "$program"; done
 find "$work/$name/lib" -name '*.so*' -type f ! -path '*/preload/*' -exec strip --strip-unneeded {} +
-for program in "${programs[@]}"; do
-  patchelf --set-rpath "\$ORIGIN/$(realpath --relative-to="$(dirname "$program")" "$private")" "$program"
-done
+"$root/scripts/private_libraries.sh" "$work/$name" "${programs[@]}"
 
 mkdir -p "$out"
 pack "$work" "$name" "$out/$name.tar.xz"
