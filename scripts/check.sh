@@ -56,6 +56,7 @@ check_subjects() {
 
 check_generated() {
   python3 "$root/docs/generate.py" --check --build "$build" &&
+    python3 "$root/docs/interface/write.py" "$build" --check &&
     python3 "$root/bench/chart.py" --check &&
     python3 "$root/docs/tour_map.py" --check &&
     python3 "$root/editors/generate.py" --check
