@@ -188,8 +188,7 @@ def ask_all(server, peer):
             if 'result' not in answer:
                 raise Broken(f'{server}: {method} {example}: {answer}')
             reply.add(answer['result'])
-            if method != 'frame.release':  # the layer answers it whatever it says
-                check_needed(server, peer, method, example, pages.get(method, {}))
+            check_needed(server, peer, method, example, pages.get(method, {}))
             kinds.add(filled(example, peer) if 'IMAGE' in example.values() else example)
         if method not in pages or set(pages[method]) != {name for example in examples for name in example}:
             raise Broken(f'{PAGE}: {method}: the page has {sorted(pages.get(method, []))}, not {examples}')

@@ -12,7 +12,7 @@ import unittest
 import zlib
 
 import controlled
-from controlled import ARBITER, PATIENCE, RED, TICKER, WRONG, Controlled, Painting, pixels, plain
+from controlled import ARBITER, PATIENCE, RED, TICKER, WRONG, Controlled, Painting, Raw, pixels, plain
 
 
 class Edits(Controlled):
@@ -151,6 +151,29 @@ class Windows(Painting):
         self.assertGreater(stats['frames'], 0)
         self.assertGreater(sum(stats['draws'].values()), 0)
         self.unchanged(output)
+
+    def test_a_slot_is_lent_until_it_is_released(self):
+        with self.painting() as output:
+            self.assertTrue(output.waits_for('middle 255 255 0'))
+            with Raw(self.socket_of(output)) as raw:
+                for wrong in ({'serial': 1}, {'slot': 3}, {'slot': 0, 'serial': 'x'}):
+                    self.assertEqual(raw.call('frame.release', **wrong)['error']['code'], -32602, wrong)
+                raw.send(b'{"jsonrpc": "2.0", "method": "frame.want", "params": {"width": 20, "height": 12}}\n')
+                lent = self.lent(raw, 3)
+                self.assertEqual(sorted(lent), [0, 1, 2])
+                release = {'jsonrpc': '2.0', 'method': 'frame.release', 'params': {'slot': lent[1]}}
+                raw.send(json.dumps(release).encode() + b'\n')  # without a serial: of the newest buffer
+                self.assertEqual(self.lent(raw, 1), [lent[1]])
+
+    @staticmethod
+    def lent(raw, count):
+        """Returns the slots of the next frames."""
+        slots = []
+        while len(slots) < count:
+            line = raw.line()
+            if line.get('method') == 'frame':
+                slots.append(line['params']['slot'])
+        return slots
 
     def test_the_beginning_of_an_id_is_enough(self):
         with self.painting() as output:

@@ -142,21 +142,24 @@ wire::Json Session::ping() const {
   return answer;
 }
 
-void Session::release(wire::ClientId client, const wire::Json &object) {
+wire::Answer Session::release(wire::ClientId client, const wire::Json &object) {
   wire::Params params(object);
   const std::int64_t slot = params.integer("slot", 0, wire::kFrameSlots - 1);
-  const std::int64_t serial = params.integer("serial", 0, INT64_MAX);
   const std::lock_guard lock(m_mutex);
   const auto found = m_clients.find(client);
-  if (params.ok() && found != m_clients.end() && found->second.ring &&
-      found->second.serial == serial)
+  const std::int64_t newest = found != m_clients.end() ? found->second.serial : 0;
+  const std::int64_t serial = params.integer("serial", 0, INT64_MAX, newest);
+  if (!params.ok())
+    return params.fault();
+  if (found != m_clients.end() && found->second.ring && serial == newest)
     found->second.ring->giveBack(int(slot));
+  return wire::Json::object();
 }
 
 bool Session::answerAtOnce(wire::ClientId client, const wire::Request &request) {
   std::optional<wire::Answer> answer;
   if (request.method == "frame.release")
-    release(client, request.params), answer = wire::Json::object();
+    answer = release(client, request.params);
   else if (request.method == "ping")
     answer = ping();
   else if (request.method == "hello")

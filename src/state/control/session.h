@@ -105,7 +105,7 @@ private:
   static void afterFork();
   [[nodiscard]] bool answerAtOnce(wire::ClientId client, const wire::Request &request);
   [[nodiscard]] wire::Json ping() const;
-  void release(wire::ClientId client, const wire::Json &params);
+  [[nodiscard]] wire::Answer release(wire::ClientId client, const wire::Json &params);
   void updateBusy();
   void join(RasterContext &context);
   void undo(RasterContext &context);
