@@ -137,7 +137,7 @@ def window():
         last = re.search(r'QStringLiteral\("([^"]*)"\)\s*$', body)
         takes = last and len(literals) > 1
         entry['takes'] = 'a value' if takes else 'nothing'
-        if takes:
+        if takes and not re.fullmatch('[A-Z]*', last.group(1)):
             entry['form'] = last.group(1)
         entries.append(entry)
         if not re.search(r'addOptions\(\{[^}]*\b%s\b' % member, source):
@@ -154,7 +154,7 @@ def window():
         if entry['key'].endswith('--panel'):
             entry['choices'] = re.findall(r'tr\("(\w+)"\)', panels)
     entries += [{'key': 'arbiter-builder --help', 'takes': 'nothing', 'short': '-h'},
-                {'key': 'arbiter-builder FILE|FOLDER', 'operand': True}]
+                {'key': 'arbiter-builder FILE', 'operand': True}]
     return entries
 
 
