@@ -92,6 +92,16 @@ class Edits(Controlled):
                 client.kill()
                 self.assertTrue(output.waits_for('0 255 0'))
 
+    def test_primitives_that_follow_each_other_are_draws(self):
+        text = self.folder / 'mine.fp'
+        text.write_text(RED)
+        for backend in ('host', 'swrast'):  # the rasterizer draws equal primitives as one
+            quads = [ARBITER, 'draw', '--bare', '--frames', '1000000', '-o', self.folder / 'a.png', text]
+            with self.subTest(backend=backend), \
+                    self.running(*quads, options=('--control', '--backend', backend)) as output:
+                self.socket_of(output)
+                self.assertEqual(len(self.programs()), 1)
+
     def test_a_folder_of_replacements_is_exported(self):
         patches = self.folder / 'patches'
         with self.running(TICKER) as output:
