@@ -236,8 +236,8 @@ TEST(Client, SurvivesAHostileServer) {
     const char *const lines[] = {
         "{\"method\":\"frame\",\"params\":{\"slot\":7,\"serial\":1}}\n",
         "{\"method\":\"frame.buffer\",\"params\":{\"width\":-1,\"slot_bytes\":1e99}}\n",
-        "{\"method\":\"frame.buffer\",\"params\":{\"width\":8,\"height\":8,\"stride\":32,"
-        "\"slot_bytes\":4096,\"serial\":1}}\n",
+        ("{\"method\":\"frame.buffer\",\"params\":{\"width\":8,\"height\":8,\"stride\":32,"
+         "\"slot_bytes\":4096,\"serial\":1}}\n"),
         "{\"id\":{},\"result\":[]}\n",
         "{\"id\":-5,\"error\":7}\n",
         "[]\n",
