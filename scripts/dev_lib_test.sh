@@ -13,6 +13,7 @@ passed=0
 # usage: suite STATUS LAST_LINE COMMANDS   runs a suite of these steps, in a shell of its own
 suite() {
   local status=0 said
+  rm -f "$results/.process" # as after another suite's end
   said=$(
     set +o pipefail # as a script may have it
     fresh_results

@@ -317,7 +317,7 @@ void makeCurrent(Context *context, const Drawable *drawable) {
     }
     if (leaves) {
       ceasesToBeCurrent(*old);
-      noteProgress(*old);
+      withinMemory(*old, "MakeCurrent", [&] { noteProgress(*old); });
     }
     t_current = context ? context : &g_null.context;
     if (context)
