@@ -291,7 +291,7 @@ private:
                           Value *given) {
     const ir::Program &program = source.program();
     FragmentHooks hooks(m_code, source, m_key, m_places, m_interpolator, m_function->getArg(0),
-                        m_function->getArg(1), m_flow ? &*m_flow : nullptr, samples, path, place);
+                        m_flow ? &*m_flow : nullptr, samples, path, place);
     hooks.give(given);
     const ProgramResults results = writeProgram(m_code, program, Numerics(m_key.numerics), hooks);
     FragmentColors fragment;

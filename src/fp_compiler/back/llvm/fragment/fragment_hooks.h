@@ -12,13 +12,12 @@ public:
   /// \param flow for Lanes::Row; null for blocks
   /// \param samples null if no sample is affine
   FragmentHooks(Code &code, const jit::FragmentProgram &program, const abi::FragmentKey &key,
-                const Places &places, Interpolator &interpolator, Value *data, Value *primitive,
+                const Places &places, Interpolator &interpolator, Value *data,
                 const AffineFlow *flow, const ConsecutiveSamples *samples, SamplePath path,
                 const PixelPlace &place)
       : m_code(code), m_program(program), m_key(key), m_places(places),
-        m_interpolator(interpolator), m_data(data), m_primitive(primitive), m_flow(flow),
-        m_samples(samples), m_path(path), m_place(place),
-        m_live(analysis::liveOf(program.program())) {}
+        m_interpolator(interpolator), m_data(data), m_flow(flow), m_samples(samples), m_path(path),
+        m_place(place), m_live(analysis::liveOf(program.program())) {}
 
   [[nodiscard]] Vec attribute(int index, unsigned needed) override;
   [[nodiscard]] Vec parameter(int index, unsigned needed) override;
@@ -56,7 +55,7 @@ private:
   const abi::FragmentKey &m_key;
   const Places &m_places;
   Interpolator &m_interpolator;
-  Value *m_data, *m_primitive;
+  Value *m_data;
   const AffineFlow *m_flow;
   const ConsecutiveSamples *m_samples;
   bool m_refused = false;

@@ -1,7 +1,5 @@
 #include "fp_compiler/back/llvm/math/math_avx512.h"
 
-#include <limits>
-
 #include <llvm/IR/IntrinsicsX86.h>
 
 #include "fp_compiler/back/llvm/math/exponent.h"
@@ -10,8 +8,6 @@
 namespace arbiter::fp::llvm_back::avx512 {
 
 namespace {
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
 // The polynomials are minimax for the relative error (Remez exchange), lowest power first.
 
 /// Coefficients of (2^f - 1) / f for f in [-1/2, 1/2]: 1 + f * p is within 2^-28.8 of 2^f.
