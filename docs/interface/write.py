@@ -12,8 +12,8 @@ import tempfile
 
 import commands
 import installed
+import interface_page
 import lists
-import page
 import protocol
 import reports
 import sources
@@ -47,7 +47,7 @@ def list_of(build, version=None):
 
 
 def files_of(made):
-    return {REFERENCE / 'interface.json': lists.text_of_list(made), REFERENCE / 'interface.md': page.page(made)}
+    return {REFERENCE / 'interface.json': lists.text_of_list(made), REFERENCE / 'interface.md': interface_page.page(made)}
 
 
 def stale_files(made):

@@ -204,7 +204,7 @@ def reader_faults(released):
         (f'documents: {found}', found != expected),
         (f'codes: {codes}', codes != {0: 'it was done', 1: 'usage, or a file', 126: 'it cannot be run'}),
         (f'versions: {later}', later != {'check': '1.0', 'new': '1.2'}),
-        ('the page is the same with another option', page.page(broken) == page.page(released)),
+        ('the page is the same with another option', interface_page.page(broken) == page.page(released)),
         ('the list is the same with another option', lists.text_of_list(broken) == lists.text_of_list(released)),
     ) if wrong]
 
