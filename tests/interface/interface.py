@@ -16,8 +16,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / 'docs' / 'interface'))
 import commands  # noqa: E402
 import installed  # noqa: E402
+import interface_page  # noqa: E402
 import lists  # noqa: E402
-import page  # noqa: E402
 import reports  # noqa: E402
 import sources  # noqa: E402
 import trees  # noqa: E402
@@ -204,7 +204,7 @@ def reader_faults(released):
         (f'documents: {found}', found != expected),
         (f'codes: {codes}', codes != {0: 'it was done', 1: 'usage, or a file', 126: 'it cannot be run'}),
         (f'versions: {later}', later != {'check': '1.0', 'new': '1.2'}),
-        ('the page is the same with another option', interface_page.page(broken) == page.page(released)),
+        ('the page is the same with another option', interface_page.page(broken) == interface_page.page(released)),
         ('the list is the same with another option', lists.text_of_list(broken) == lists.text_of_list(released)),
     ) if wrong]
 
