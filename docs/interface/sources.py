@@ -50,11 +50,9 @@ def array_of(name, array):
 
 def version():
     """Returns major.minor of the version that the tree has."""
-    file = ROOT / 'VERSION'
-    found = re.search(r'(\d+)\.(\d+)', file.read_text()) if file.exists() else \
-        re.search(r"^  version: '(\d+)\.(\d+)", text_of('meson.build'), re.M)
+    found = re.search(r'(\d+)\.(\d+)', text_of('VERSION'))
     if not found:
-        raise Broken('meson.build: no version')
+        raise Broken('VERSION: no version')
     return f'{found.group(1)}.{found.group(2)}'
 
 

@@ -226,7 +226,7 @@ class Whole(unittest.TestCase):
         version = '.'.join(re.findall(r'ARBITER_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)', header))
         for word in ('--version', '-V'):
             self.assertEqual(arbiter(word).stdout, f'arbiter {version}\n')
-        self.assertIn(f"version: '{version}'", (ROOT / 'meson.build').read_text())
+        self.assertEqual(f'{version}\n', (ROOT / 'VERSION').read_text())
 
     def test_help(self):
         alone = arbiter()
