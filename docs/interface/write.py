@@ -47,7 +47,8 @@ def list_of(build, version=None):
 
 
 def files_of(made):
-    return {REFERENCE / 'interface.json': lists.text_of_list(made), REFERENCE / 'interface.md': interface_page.page(made)}
+    return {REFERENCE / 'interface.json': lists.text_of_list(made),
+            REFERENCE / 'interface.md': interface_page.page(made)}
 
 
 def stale_files(made):
