@@ -92,13 +92,13 @@ class Edits(Controlled):
                 client.kill()
                 self.assertTrue(output.waits_for('0 255 0'))
 
-    def test_primitives_that_follow_each_other_are_draws(self):
+    def test_programs_that_change_before_each_draw(self):
         text = self.folder / 'mine.fp'
         text.write_text(RED)
-        for backend in ('host', 'swrast'):  # the rasterizer draws equal primitives as one
-            quads = [ARBITER, 'draw', '--bare', '--frames', '1000000', '-o', self.folder / 'a.png', text]
+        for backend in ('host', 'swrast'):  # a change takes the need to watch back
+            changing = [ARBITER, 'draw', '--bare', '--frames', '1000000', '-o', self.folder / 'a.png', text]
             with self.subTest(backend=backend), \
-                    self.running(*quads, options=('--control', '--backend', backend)) as output:
+                    self.running(*changing, options=('--control', '--backend', backend)) as output:
                 self.socket_of(output)
                 self.assertEqual(len(self.programs()), 1)
 

@@ -149,11 +149,13 @@ void refreshEffective(DrawContext &context, HostPart part) {
     collectGarbage(context);
   if ((context.attention & attention::kShared) != 0 && changedElsewhere(context))
     context.attention |= attention::kProgram;
-  if ((context.attention & attention::kWatch) != 0)
+  // A change of the program takes the need to watch back, and some applications make one before
+  // each draw.
+  if ((context.attention & (attention::kProgram | attention::kWatch)) != 0) {
     if (const ControlHooks *const hooks = controlHooks())
       hooks->beforeDraw(context);
-  if ((context.attention & (attention::kProgram | attention::kWatch)) != 0)
     refreshReplacements(context);
+  }
   if ((context.attention & attention::kProgram) != 0)
     select(context, part);
   else if (context.effective.hostPartWaits && part == HostPart::Now)

@@ -31,8 +31,6 @@ bool holdPrimitive(RasterContext &context) {
   ImmediateRecorder &recorder = state.recorder;
   if (context.recorder != &recorder || state.openParts || recorder.failed())
     return false;
-  if ((context.attention & attention::kWatch) != 0)
-    return false; // clients of control are served before each draw, and Begin would skip that
   const std::uint32_t size = independentVertices(recorder.mode());
   const std::uint32_t count = recorder.count();
   if (count == 0 || count > kMaxHeld || (size != 0 && count % size != 0))
