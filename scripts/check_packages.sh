@@ -47,12 +47,7 @@ if [[ ! -f $base ]]; then
     "deb http://deb.debian.org/debian $suite main"
   mv "$base.part" "$base"
 fi
-rm -rf --one-file-system "$chroot"
-mkdir -p "$chroot"
-tar -C "$chroot" -xf "$base"
-cp /etc/resolv.conf "$chroot/etc/resolv.conf"
-echo force-unsafe-io >"$chroot/etc/dpkg/dpkg.cfg.d/unsafe-io"
-mount -t proc proc "$chroot/proc"
+fresh_chroot "$base" "$chroot"
 mount --rbind /dev "$chroot/dev"
 mkdir "$chroot/packages" "$chroot/checks"
 mapfile -t files < <(debs "$native"; [[ $native == i386 ]] || debs i386 | grep -E '/lib' || true)

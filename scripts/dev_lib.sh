@@ -203,6 +203,17 @@ start_display() {
   rm -f "$file"
 }
 
+# A Debian of its own, of a tar file, with a /proc of its own. Whoever calls this has a namespace of mounts, with which
+# all mounts go. usage: fresh_chroot TAR FOLDER
+fresh_chroot() {
+  rm -rf --one-file-system "$2"
+  mkdir -p "$2"
+  tar -C "$2" -xf "$1"
+  cp /etc/resolv.conf "$2/etc/resolv.conf"
+  echo force-unsafe-io >"$2/etc/dpkg/dpkg.cfg.d/unsafe-io"
+  mount -t proc proc "$2/proc"
+}
+
 # The parts of a suite leave their counts here; there is one folder, so that one suite runs at a time.
 results=${out:-}/test
 

@@ -32,11 +32,7 @@ if [[ ! -f $base ]]; then
     "deb http://deb.debian.org/debian $suite main"
   mv "$base.part" "$base"
 fi
-mkdir -p "$chroot"
-tar -C "$chroot" -xf "$base"
-cp /etc/resolv.conf "$chroot/etc/resolv.conf"
-echo force-unsafe-io >"$chroot/etc/dpkg/dpkg.cfg.d/unsafe-io"
-mount -t proc proc "$chroot/proc"
+fresh_chroot "$base" "$chroot"
 mount -t tmpfs tmpfs "$chroot/dev/shm"
 mkdir "$chroot/build"
 cp -r "$work"/arbiter-* "$chroot/build/"
