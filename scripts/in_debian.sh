@@ -47,6 +47,6 @@ mkdir -p "$root/out/test"
 rm -f "$root"/out/test/*.json
 cp "$chroot"/root/arbiter/out/test/*.json "$root/out/test/" 2>/dev/null || true
 rm -rf "$root/out/debian-$release"
-cp -r "$chroot/root/arbiter/out" "$root/out/debian-$release"
+cp -r "$chroot/root/arbiter/out" "$root/out/debian-$release" 2>/dev/null || mkdir -p "$root/out/debian-$release"
 cp -r "$chroot/root/arbiter/build/meson-logs" "$root/out/debian-$release/" 2>/dev/null || true
 exit "$status"
