@@ -21,7 +21,7 @@ namespace arbiter::state {
 using GivenComponents = std::array<std::uint8_t, kSlots>;
 /// Returns the largest number of components that a slot was given with.
 [[nodiscard]] inline int mostGiven(const GivenComponents &given, int slot) {
-  return std::bit_width(unsigned(given[std::size_t(slot)])) - 1;
+  return int(std::bit_width(unsigned(given[std::size_t(slot)]))) - 1;
 }
 
 class ImmediateRecorder {

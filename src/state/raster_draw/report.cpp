@@ -104,6 +104,7 @@ void write(JsonWriter &json, unsigned first) {
   counter("contexts", Contexts);
   counter("drawn", Drawn);
   std::vector<NamedCounter> reasons;
+  reasons.reserve(kFallbackCount);
   for (int i = 0; i < kFallbackCount; ++i)
     reasons.push_back({fallbackName(Fallback(i)), first + unsigned(i)});
   json.key("given_to_host").raw(nonZeroPlace(reasons, 3));

@@ -96,7 +96,7 @@ void Attachment::lost(const QString &why) {
 void Attachment::setWatched(bool watched) { watched ? m_again.start() : m_again.stop(); }
 
 /// Sends a request. It reports faults, and ignores what arrives after the client has gone.
-void Attachment::ask(const QString &method, const QJsonObject &params, Take take) {
+void Attachment::ask(const QString &method, const QJsonObject &params, const Take &take) {
   if (!m_client)
     return;
   const ControlClient *const of = m_client.get();
@@ -118,7 +118,7 @@ void Attachment::refresh() {
     return;
   ask(QStringLiteral("param.list"), {{"id", m_selected}}, [this](const QJsonObject &answer) {
     m_parameters.clear();
-    for (const QJsonValue &row : answer[u"parameters"].toArray())
+    for (const QJsonValue row : answer[u"parameters"].toArray())
       m_parameters.append(parameterOf(row.toObject()));
     Q_EMIT parametersChanged();
   });
@@ -126,7 +126,7 @@ void Attachment::refresh() {
 
 void Attachment::takePrograms(const QJsonObject &answer) {
   m_programs.clear();
-  for (const QJsonValue &row : answer[u"programs"].toArray()) {
+  for (const QJsonValue row : answer[u"programs"].toArray()) {
     AttachedProgram program = programOf(row.toObject());
     if (const auto cost = m_measured.constFind(program.id); cost != m_measured.cend())
       program.measured = *cost;
@@ -141,7 +141,7 @@ void Attachment::takePrograms(const QJsonObject &answer) {
 
 void Attachment::takeTextures(const QJsonObject &answer) {
   QList<AttachedTexture> textures;
-  for (const QJsonValue &row : answer[u"textures"].toArray())
+  for (const QJsonValue row : answer[u"textures"].toArray())
     if (textures.size() < kMaxTextures)
       textures.append(textureOf(row.toObject()));
   const auto before = [&](const AttachedTexture &texture) {
@@ -220,7 +220,7 @@ void Attachment::sendText() {
 void Attachment::takeVerdict(const QJsonObject &answer, const QString &text) {
   const QByteArray bytes = text.toUtf8();
   m_problems.clear();
-  for (const QJsonValue &each : answer[u"diagnostics"].toArray())
+  for (const QJsonValue each : answer[u"diagnostics"].toArray())
     m_problems.append(problemOfControl(each.toObject(), bytes));
   m_right = answer[u"ok"].toBool();
   Q_EMIT judged();
@@ -277,7 +277,7 @@ void Attachment::exportTo(const QString &folder) {
     return Q_EMIT troubled(tr("%1 cannot be made").arg(folder));
   ask(QStringLiteral("program.list"), {}, [this, folder](const QJsonObject &answer) {
     QStringList ids;
-    for (const QJsonValue &row : answer[u"programs"].toArray())
+    for (const QJsonValue row : answer[u"programs"].toArray())
       if (const QString id = fileNameOf(row[u"id"].toString()); !id.isEmpty())
         ids << id;
     exportNext(folder, ids, 0);

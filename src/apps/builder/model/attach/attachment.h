@@ -86,7 +86,7 @@ Q_SIGNALS:
 
 private:
   using Take = std::function<void(const QJsonObject &result)>;
-  void ask(const QString &method, const QJsonObject &params, Take take);
+  void ask(const QString &method, const QJsonObject &params, const Take &take);
   void takePrograms(const QJsonObject &answer);
   void takeTextures(const QJsonObject &answer);
   void takeVerdict(const QJsonObject &answer, const QString &text);

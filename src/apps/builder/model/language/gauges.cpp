@@ -30,7 +30,7 @@ QString placeText(const QJsonValue &place) {
 
 void addReasons(const QJsonArray &reasons, QList<Gauge> &gauges) {
   constexpr qsizetype kMax = 12;
-  for (const QJsonValue &reason : reasons)
+  for (const QJsonValue reason : reasons)
     for (Gauge &gauge : gauges)
       if (gauge.name == reason[u"resource"].toString() && gauge.reasons.size() < kMax)
         gauge.reasons.append(QStringLiteral("%1: %2")
@@ -39,7 +39,7 @@ void addReasons(const QJsonArray &reasons, QList<Gauge> &gauges) {
 }
 
 void addLines(const QJsonArray &instructions, QMap<int, LineCost> &lines) {
-  for (const QJsonValue &instruction : instructions) {
+  for (const QJsonValue instruction : instructions) {
     LineCost &cost = lines[instruction[u"end_line"].toInt(1)];
     cost.slotCount += instruction[u"slots"].toDouble();
     cost.textures += instruction[u"textures"].toInt();
@@ -49,9 +49,9 @@ void addLines(const QJsonArray &instructions, QMap<int, LineCost> &lines) {
 }
 
 void addNodes(const QJsonArray &nodes, QList<NodeLine> &lines) {
-  for (const QJsonValue &node : nodes) {
+  for (const QJsonValue node : nodes) {
     NodeLine line{{}, node[u"pairs"].toInt(), node[u"reason"].toString()};
-    for (const QJsonValue &texture : node[u"textures"].toArray())
+    for (const QJsonValue texture : node[u"textures"].toArray())
       line.textures.append(placeText(texture));
     lines.append(line);
   }

@@ -71,7 +71,7 @@ void LspClient::initialized(const QJsonObject &result) {
   m_capabilities = result[u"capabilities"].toObject();
   m_tokenTypes.clear();
   const QJsonValue legend = m_capabilities[u"semanticTokensProvider"][u"legend"];
-  for (const QJsonValue &type : legend[u"tokenTypes"].toArray())
+  for (const QJsonValue type : legend[u"tokenTypes"].toArray())
     m_tokenTypes.append(type.toString());
   m_ready = true;
   m_watchdog.stop();

@@ -34,7 +34,7 @@ Problem problemOf(const QJsonValue &diagnostic, const QString &text) {
 
 QList<Problem> problemsOf(const QJsonArray &diagnostics, const QString &text) {
   QList<Problem> all;
-  for (const QJsonValue &each : diagnostics)
+  for (const QJsonValue each : diagnostics)
     all.append(problemOf(each, text));
   std::stable_sort(all.begin(), all.end(), [](const Problem &a, const Problem &b) {
     return std::tuple(a.severity, a.begin) < std::tuple(b.severity, b.begin);

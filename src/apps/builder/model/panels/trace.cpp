@@ -37,21 +37,21 @@ TraceRow rowOf(const QJsonValue &json) {
   row.value = TraceValue::of(json[u"value"]);
   row.second = TraceValue::of(json[u"second"]);
   row.error = json[u"error"].isUndefined() ? 0 : numberOf(json[u"error"]);
-  for (const QJsonValue &operand : json[u"operands"].toArray())
+  for (const QJsonValue operand : json[u"operands"].toArray())
     row.operands.append(operandOf(operand));
   if (const QJsonValue texel = json[u"texel"]; texel.isObject()) {
     row.unit = texel[u"unit"].toInt(-1);
     row.texel = TraceValue::of(texel[u"value"]);
     row.coordinate = TraceValue::of(texel[u"coordinate"]);
   }
-  for (const QJsonValue &flag : json[u"flags"].toArray())
+  for (const QJsonValue flag : json[u"flags"].toArray())
     row.flags.append(flag.toString());
   row.discarded = json[u"discarded"].toBool();
   return row;
 }
 
 void addNamed(const QJsonArray &named, QList<std::pair<QString, TraceValue>> &all) {
-  for (const QJsonValue &each : named)
+  for (const QJsonValue each : named)
     all.append({each[u"name"].toString(), TraceValue::of(each[u"value"])});
 }
 
@@ -89,7 +89,7 @@ bool Trace::take(const QJsonObject &json) {
   if (!trace[u"rows"].isArray())
     return false;
   m_rows.clear();
-  for (const QJsonValue &row : trace[u"rows"].toArray())
+  for (const QJsonValue row : trace[u"rows"].toArray())
     m_rows.append(rowOf(row));
   m_inputs.clear();
   addNamed(trace[u"attributes"].toArray(), m_inputs);

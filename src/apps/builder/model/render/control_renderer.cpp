@@ -140,7 +140,7 @@ void ControlRenderer::answer(const QJsonObject &result, const QJsonObject &error
   answer.animated = result[u"animated"].toBool();
   answer.milliseconds = result[u"milliseconds"].toDouble();
   const QByteArray bytes = scene.text.toUtf8();
-  for (const QJsonValue &each : result[u"diagnostics"].toArray()) {
+  for (const QJsonValue each : result[u"diagnostics"].toArray()) {
     Problem problem = problemOfControl(each, bytes);
     if (problem.file == scene.name)
       problem.file.clear(); // an empty name is the text itself

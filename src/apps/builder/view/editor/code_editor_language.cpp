@@ -71,7 +71,7 @@ void CodeEditor::renameName() {
 /// applied first.
 void CodeEditor::applyEdits(const QJsonArray &edits, const QString &name) {
   QList<Edit> all;
-  for (const QJsonValue &each : edits) {
+  for (const QJsonValue each : edits) {
     const qsizetype begin = offsetAt(text(), each[u"range"][u"start"]);
     const qsizetype end = offsetAt(text(), each[u"range"][u"end"]);
     all.append({begin, text().mid(begin, end - begin), each[u"newText"].toString()});

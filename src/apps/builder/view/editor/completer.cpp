@@ -33,7 +33,7 @@ QString Completer::typed() const {
 void Completer::show(const QJsonArray &items, qsizetype wordBegin) {
   clear();
   m_wordBegin = wordBegin;
-  for (const QJsonValue &item : items) {
+  for (const QJsonValue item : items) {
     const QString label = item[u"label"].toString();
     const QString detail = item[u"detail"].toString();
     auto *row =

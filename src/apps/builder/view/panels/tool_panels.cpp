@@ -119,7 +119,7 @@ int AdvicePanel::take(const QJsonObject &json) {
   m_proposals.clear();
   const QJsonValue file = json[u"files"][0];
   const UtfMap map(m_bench.document().text());
-  for (const QJsonValue &each : file[u"advice"].toArray()) {
+  for (const QJsonValue each : file[u"advice"].toArray()) {
     Proposal proposal;
     proposal.title = each[u"message"].toString();
     if (const QString what = each[u"application"].toString(); !what.isEmpty())
@@ -129,7 +129,7 @@ int AdvicePanel::take(const QJsonObject &json) {
     proposal.line = each[u"range"][u"line"].toInt(each[u"line"].toInt(1));
     proposal.saves = costText(each[u"before"]);
     proposal.why = costText(each[u"after"]);
-    for (const QJsonValue &edit : each[u"edits"].toArray()) {
+    for (const QJsonValue edit : each[u"edits"].toArray()) {
       const qsizetype begin = map.unit(std::uint32_t(edit[u"begin"].toInteger()));
       const qsizetype end = map.unit(std::uint32_t(edit[u"end"].toInteger()));
       proposal.edits.prepend(

@@ -220,7 +220,7 @@ void MainWindow::goToName() {
       QStringLiteral("textDocument/documentSymbol"), -1, {}, [this](const QJsonValue &result) {
         QStringList names;
         QList<QJsonValue> places;
-        for (const QJsonValue &symbol : result.toArray()) {
+        for (const QJsonValue symbol : result.toArray()) {
           names << symbol[u"name"].toString() + QStringLiteral("    ") +
                        symbol[u"detail"].toString();
           places << symbol[u"selectionRange"][u"start"];
