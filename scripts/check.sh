@@ -75,8 +75,12 @@ check_reuse() {
   $found && (cd "$root" && reuse lint)
 }
 
-# Only what the tree compiles: clang-tidy needs each file's flags.
+# Only what the tree compiles: clang-tidy needs each file's flags. A tree of units has none.
 check_tidy() {
+  if grep -q -- '-unity[0-9]*\.cpp' "$build/compile_commands.json"; then
+    echo "$build compiles units of sources; a tree without b_pch is needed"
+    return 1
+  fi
   python3 -c '
 import json, sys
 for entry in json.load(open(sys.argv[1] + "/compile_commands.json")):
