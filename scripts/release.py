@@ -32,8 +32,9 @@ SUITES = ROOT / "scripts" / "release_suites.toml"
 COUNTS = ("passed", "failed", "skipped")
 LAST_LINE = re.compile(r"^(\d+) passed, (\d+) failed, (\d+) skipped$", re.M)
 NOT_RUN = 3
-# Runs a command; when this is to end, all that the command has started ends.
-GROUP = """trap 'trap "" TERM; kill -TERM 0; exit 143' TERM; "$@" & wait $!"""
+# Runs a command; when this is to end, all that the command has started ends. A shell has its background commands
+# ignore interrupts, which tests send.
+GROUP = """trap 'trap "" TERM; kill -TERM 0; exit 143' TERM; env --default-signal=INT,QUIT "$@" & wait $!"""
 
 
 def suites_of(path):

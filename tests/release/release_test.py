@@ -17,7 +17,9 @@ import release  # noqa: E402
 
 # Leaves the parts that its arguments give, once the file "go" is there.
 SUITE = """
-import json, pathlib, sys, time
+import json, pathlib, signal, sys, time
+if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
+    sys.exit("an interrupt would be ignored, and tests send some")
 name, status, wait = sys.argv[1], int(sys.argv[2]), sys.argv[3] == "wait"
 with open("out/runs", "a") as runs:
     runs.write(name + "\\n")
