@@ -107,6 +107,8 @@ void content(World &world, Random &random, int depth) {
       primitive(random);
       glPopMatrix();
       glPopAttrib();
+      // Mesa 22.3.6 gives the next primitive the color from before PopAttrib, unless it is set.
+      color(random);
       break;
     case 2:
       if (depth == 0)
