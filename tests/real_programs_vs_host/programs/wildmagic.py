@@ -14,7 +14,7 @@ NAMES = (
 # This sample needs NV_fragment_program2 and NV_vertex_program3. Mesa offers neither, so that the bare host draws
 # nothing of it, and there is no frame to compare a profile that offers them with.
 REFUSED = ("VertexTextures",)
-OFFERING = ("auto-late", "auto-cold", "auto-warm", "swrast", "host")
+OFFERING = ("auto-late", "auto-cold", "auto-warm", "swrast", "host", "programs")
 # This sample shows z-fighting of two triangles in one plane without an offset, which the last bit decides.
 FIGHTS = ("PolygonOffsets",)
 SAMPLES = Path("/usr/lib/x86_64-linux-gnu/libwildmagic/SampleGraphics")
