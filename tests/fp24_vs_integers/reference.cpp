@@ -193,7 +193,7 @@ Vec4 all(float value) { return {value, value, value, value}; }
 } // namespace
 
 Result reference(Opcode op, const ir::Operands &operands) {
-  const auto &[a, b, c] = operands;
+  const Vec4 &a = operands[0], &b = operands[1];
   const auto dot = [&](std::size_t count) {
     float result = product(a[0], b[0]);
     for (std::size_t i = 1; i < count; ++i)

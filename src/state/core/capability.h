@@ -120,19 +120,24 @@ constexpr unsigned slotOf(GLenum cap, std::uint32_t factor) {
   return (cap * factor) >> (32 - kSlotBits);
 }
 
+/// True if the factor gives two capabilities the same slot. Ends at the first such pair, as
+/// compilers limit the steps of a constant expression.
+constexpr bool clashes(std::uint32_t factor) {
+  bool taken[1u << kSlotBits] = {};
+  for (const CapabilityRow &row : kCapabilities) {
+    bool &place = taken[slotOf(row.cap, factor)];
+    if (place)
+      return true;
+    place = true;
+  }
+  return false;
+}
 /// Returns a hash factor, found at compile time, that gives each capability its own slot.
 constexpr std::uint32_t perfectFactor() {
-  for (std::uint32_t factor = 0x9E3779B1u;; factor += 2) {
-    bool taken[1u << kSlotBits] = {};
-    bool clashes = false;
-    for (const CapabilityRow &row : kCapabilities) {
-      bool &place = taken[slotOf(row.cap, factor)];
-      clashes = clashes || place;
-      place = true;
-    }
-    if (!clashes)
-      return factor;
-  }
+  std::uint32_t factor = 0x9E3779B1u;
+  while (clashes(factor))
+    factor += 2;
+  return factor;
 }
 inline constexpr std::uint32_t kFactor = perfectFactor();
 

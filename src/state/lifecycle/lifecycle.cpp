@@ -113,7 +113,8 @@ ARBITER_CONSTINIT NullHolder g_null;
 
 } // namespace
 
-thread_local ContextHot *t_current __attribute__((tls_model("initial-exec"))) = &g_null.context;
+constinit thread_local ContextHot *t_current __attribute__((tls_model("initial-exec"))) =
+    &g_null.context;
 
 Context &nullContext() { return g_null.context; }
 

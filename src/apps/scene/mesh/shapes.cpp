@@ -78,14 +78,15 @@ Mesh makeCube() {
                                          {{0, 1, 0}, {1, 0, 0}},  {{0, -1, 0}, {1, 0, 0}},
                                          {{0, 0, 1}, {1, 0, 0}},  {{0, 0, -1}, {-1, 0, 0}}};
   Mesh mesh;
-  for (const auto &[normal, right] : kFaces) {
+  for (const auto &face : kFaces) {
+    const glm::vec3 &normal = face[0], &right = face[1];
     const glm::vec3 up = glm::cross(normal, right);
-    const Mesh face = surface(1, 1, [&](float s, float t) {
+    const Mesh square = surface(1, 1, [&](float s, float t) {
       return vertexOf(normal + (2 * s - 1) * right + (2 * t - 1) * up, normal, right);
     });
-    for (const std::uint32_t index : face.indices)
+    for (const std::uint32_t index : square.indices)
       mesh.indices.push_back(index + std::uint32_t(mesh.vertices.size()));
-    mesh.vertices.insert(mesh.vertices.end(), face.vertices.begin(), face.vertices.end());
+    mesh.vertices.insert(mesh.vertices.end(), square.vertices.begin(), square.vertices.end());
   }
   return mesh;
 }

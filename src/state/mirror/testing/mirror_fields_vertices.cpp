@@ -139,9 +139,9 @@ constexpr Field kVertices[] = {
        glFogi(GL_FOG_COORD_SRC, depth ? GL_FRAGMENT_DEPTH : GL_FOG_COORD);
        glFogi(GL_FOG_DISTANCE_MODE_NV, GLint(mode));
        glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, factors);
-       return [=](const Mirror &m) {
+       return [depth, attenuated, expected = from](const Mirror &m) {
          if (depth)
-           EXPECT_EQ(m.vertex.fogFrom, from);
+           EXPECT_EQ(m.vertex.fogFrom, expected);
          else // the host decides
            EXPECT_TRUE(m.vertex.fogFrom == FogFrom::Coordinate ||
                        m.vertex.fogFrom == FogFrom::AbsoluteCoordinate);

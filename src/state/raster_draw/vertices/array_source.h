@@ -11,11 +11,8 @@
 
 /// Finds a draw's vertex arrays and indices in memory.
 namespace arbiter::state {
+class Mirror;
 struct RasterContext;
-}
-
-namespace arbiter::state {
-struct Mirror;
 
 /// The arrays of a draw: in client memory, in a copy of a buffer, or in a buffer that is mapped
 /// from open() to close(). close() must be called before the host draws. If a draw repeats the last

@@ -54,7 +54,7 @@ void Attachment::attach(const ListeningProcess &process) {
     m_picture = image.convertToFormat(QImage::Format_RGB32); // a window's alpha is not visible
     Q_EMIT pictureChanged();
   });
-  connect(m_client.get(), &ControlClient::event, this,
+  connect(m_client.get(), &ControlClient::notified, this,
           [this](const QString &method, const QJsonObject &params) {
             if (method == u"busy")
               Q_EMIT busy(params[u"milliseconds"].toDouble());

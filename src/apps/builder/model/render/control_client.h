@@ -26,7 +26,7 @@ public:
 
   /// Receives \p result or \p error; both are empty if the server is gone.
   using Answer = std::function<void(const QJsonObject &result, const QJsonObject &error)>;
-  void call(const QString &method, const QJsonObject &params, Answer answer = {});
+  void call(const QString &method, const QJsonObject &params, const Answer &answer = {});
   void notify(const QString &method, const QJsonObject &params);
   [[nodiscard]] bool isOpen() const { return m_client != nullptr; }
   void close();
@@ -36,7 +36,7 @@ public:
   void read();
 
 Q_SIGNALS:
-  void event(const QString &method, const QJsonObject &params);
+  void notified(const QString &method, const QJsonObject &params);
   /// Delivers a copy of the newest picture, the top row first; the picture itself has been
   /// released.
   void frame(const QImage &image, const QJsonObject &params);

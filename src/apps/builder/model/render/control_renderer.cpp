@@ -83,7 +83,7 @@ void ControlRenderer::start(const RenderOptions &options, const QString &folder)
     if (error == QProcess::FailedToStart)
       finish(tr("%1 cannot be started").arg(m_program));
   });
-  connect(m_client.get(), &ControlClient::event, this, &ControlRenderer::event);
+  connect(m_client.get(), &ControlClient::notified, this, &ControlRenderer::take);
   connect(m_client.get(), &ControlClient::frame, this, &ControlRenderer::takeFrame);
   // A renderer that violates the protocol is killed. One that has ended is reported by its process.
   connect(m_client.get(), &ControlClient::closed, this, &ControlRenderer::kill);
@@ -152,7 +152,7 @@ void ControlRenderer::answer(const QJsonObject &result, const QJsonObject &error
   Q_EMIT answered(answer);
 }
 
-void ControlRenderer::event(const QString &method, const QJsonObject &params) {
+void ControlRenderer::take(const QString &method, const QJsonObject &params) {
   if (method == u"busy")
     Q_EMIT busy(params[u"milliseconds"].toDouble());
 }

@@ -30,7 +30,7 @@ public:
 
 private:
   void finish(const QString &why);
-  void event(const QString &method, const QJsonObject &params);
+  void take(const QString &method, const QJsonObject &params);
   void takeFrame(const QImage &image, const QJsonObject &params);
   void answer(const QJsonObject &result, const QJsonObject &error, const Scene &scene);
 

@@ -11,8 +11,7 @@ namespace arbiter::builder {
 
 namespace {
 
-constexpr int kExitUsage = 1;   ///< as in arbiter(1)
-constexpr int kExitInvalid = 2; ///< the program is invalid
+constexpr int kExitInvalid = 2; ///< as in arbiter(1): the program is invalid
 
 QStringList argumentsOf(const RenderOptions &options, const QString &document,
                         const QString &picture) {

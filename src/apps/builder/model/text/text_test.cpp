@@ -37,7 +37,7 @@ TEST(Edit, DifferenceMakesTheOtherText) {
     QString a, b;
     for (QString *text : {&a, &b})
       for (unsigned i = random() % 8; i > 0; --i)
-        *text += QString::fromUtf8(random() % 3 == 0 ? "\xf0\x9f\x8e\xa8" : "ab\n" + random() % 3);
+        *text += QString::fromUtf8(random() % 3 == 0 ? "\xf0\x9f\x8e\xa8" : &"ab\n"[random() % 3]);
     const Edit edit = difference(a, b);
     QString made = a;
     EXPECT_EQ(made.mid(edit.at, edit.removed.size()), edit.removed);
