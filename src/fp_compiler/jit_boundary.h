@@ -104,12 +104,9 @@ template <typename T> constexpr bool mayCross() {
 /// True if the pointer's target is a plain type, or a handle that only its maker can read.
 template <typename T> constexpr bool targetMayCross() {
   using Target = std::remove_cv_t<std::remove_pointer_t<T>>;
-  if constexpr (!std::is_pointer_v<T>)
-    return true;
-  else if constexpr (std::is_same_v<Target, EngineHandle> ||
-                     std::is_same_v<Target, FragmentHandle> ||
-                     std::is_same_v<Target, VertexHandle> || std::is_same_v<Target, CodeHandle> ||
-                     std::is_same_v<Target, BytesHandle>)
+  if constexpr (!std::is_pointer_v<T> || std::is_same_v<Target, EngineHandle> ||
+                std::is_same_v<Target, FragmentHandle> || std::is_same_v<Target, VertexHandle> ||
+                std::is_same_v<Target, CodeHandle> || std::is_same_v<Target, BytesHandle>)
     return true;
   else
     return std::is_trivially_copyable_v<Target> && std::is_standard_layout_v<Target>;

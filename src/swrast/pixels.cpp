@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "swrast/cover/flush_mode.h"
+#include "util/same_bits.h"
 
 namespace arbiter::swrast {
 namespace {
@@ -132,7 +133,7 @@ DrawStatistics rasterizePixels(const RasterState &state, const Shading &shading,
       const float *const color = row[columns[std::size_t(x)]];
       const std::int32_t from = x;
       while (++x < rect.width &&
-             (colorInput < 0 || std::memcmp(row[columns[std::size_t(x)]], color, 16) == 0))
+             (colorInput < 0 || sameBytes(row[columns[std::size_t(x)]], color, 16)))
         ;
       if (colorInput >= 0)
         for (std::size_t c = 0; c < 4; ++c)

@@ -83,7 +83,7 @@ std::string replaceFile(const std::string &name, std::string_view bytes) {
   ::close(descriptor);
   if (good && std::rename(temporary.c_str(), path.c_str()) == 0)
     return {};
-  const std::string last = good ? fault() : reason;
+  std::string last = good ? fault() : reason;
   ::unlink(temporary.c_str());
   return last;
 }

@@ -128,10 +128,10 @@ private:
 
   /// Returns an operand inside the function's domain, or any operand if all numbers are in it.
   std::string within(Opcode op, bool scalar, int index) {
-    const std::string value = operand(scalar);
+    std::string value = operand(scalar);
     if (m_options.wild)
       return value;
-    const std::string from = scalar ? "guard.x" : "guard";
+    std::string from = scalar ? "guard.x" : "guard";
     switch (op) {
     case Opcode::Rcp:
     case Opcode::Rsq:
@@ -239,7 +239,7 @@ private:
   // Addresses --------------------------------------------------------------------------------
   /// Returns an index for an address register. The peer reads other memory beyond an array.
   std::string addressValue() {
-    const std::string value = operand(false);
+    std::string value = operand(false);
     if (!m_options.peer)
       return value;
     line("MIN guard, |" + bare(value) + "|, 3.0;");

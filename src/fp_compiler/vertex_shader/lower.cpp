@@ -311,6 +311,7 @@ private:
     const Symbol &symbol = m_symbols[operation.arguments[1]];
     const int rows = rowCount(symbol.type);
     std::vector<Target> sums;
+    sums.reserve(std::size_t(rows));
     for (int row = 0; row < rows; ++row)
       sums.push_back(scratch());
     const Target chosen = scratch();

@@ -1,7 +1,6 @@
 // Program objects by commands of NV_vertex_program (2.14.1.7, 2.14.1.8, 2.14.4, 6.1.13).
 // GenProgramsNV, DeleteProgramsNV and IsProgramNV are the ARB's.
 #include <algorithm>
-#include <cstring>
 
 #include "host/handlers.h"
 #include "host/host_table.h"
@@ -143,7 +142,7 @@ void GetProgramStringNV(Context &context, GLuint id, GLenum pname, GLubyte *prog
     return raise(context, GL_INVALID_ENUM, "GetProgramString: pname");
   const auto compiled = context.group->compiledOf(*object);
   if (compiled && program)
-    std::memcpy(program, compiled->text.data(), compiled->text.size()); // no terminator
+    std::copy(compiled->text.begin(), compiled->text.end(), program); // no terminator
 }
 
 } // namespace handlers

@@ -99,8 +99,8 @@ template <typename T> GLenum hostName(const Context &context, GLenum pname, T) {
 
 namespace handlers {
 
-#define BOUND_GETTER(name, Value)                                                                  \
-  void name(Context &context, GLenum target, GLenum pname, Value *values) {                        \
+#define BOUND_GETTER(name, Pointer)                                                                \
+  void name(Context &context, GLenum target, GLenum pname, Pointer values) {                       \
     if (hasTextureRange(context, pname)) [[unlikely]]                                              \
       return getRange(context, target, pname, values);                                             \
     if (!hasSgixShadow(context, pname)) [[likely]]                                                 \
@@ -108,10 +108,10 @@ namespace handlers {
     GLint arb = 0;                                                                                 \
     context.host->GetTexParameteriv(target, arbShadowName(pname), &arb);                           \
     if (values)                                                                                    \
-      *values = Value(sgixShadowValue(pname, arb));                                                \
+      *values = std::remove_pointer_t<Pointer>(sgixShadowValue(pname, arb));                       \
   }
-BOUND_GETTER(GetTexParameteriv, GLint)
-BOUND_GETTER(GetTexParameterfv, GLfloat)
+BOUND_GETTER(GetTexParameteriv, GLint *)
+BOUND_GETTER(GetTexParameterfv, GLfloat *)
 
 // For a target or an object; for a texture or a unit, with a target.
 #define SETTER(name, Object, Value)                                                                \

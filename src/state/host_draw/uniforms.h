@@ -1,6 +1,5 @@
 #pragma once
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -29,11 +28,6 @@ void uploadParameters(DrawContext &context, LinkedProgram &linkedProgram, std::u
   return parameter.kind == fp::ir::ParameterKind::Constant
              ? parameter.constant
              : givenValue(row, parameter.kind == fp::ir::ParameterKind::Env, parameter.index);
-}
-/// True if all bits are equal. Values would not do: a NaN would be sent every time, and -0 never.
-[[nodiscard]] inline bool sameBits(const Vec4 &a, const Vec4 &b) {
-  using Halves = std::array<std::uint64_t, 2>;
-  return std::bit_cast<Halves>(a) == std::bit_cast<Halves>(b);
 }
 
 } // namespace arbiter::state

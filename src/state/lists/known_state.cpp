@@ -1,9 +1,10 @@
 #include "state/lists/known_state.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include <GL/glext.h>
+
+#include "util/same_bits.h"
 
 namespace arbiter::state {
 
@@ -57,8 +58,8 @@ bool KnownState::setMaterial(const StateCommand &command) {
   for (unsigned slot = 0; slot < m_values.size(); ++slot) {
     if ((slots >> slot & 1u) == 0)
       continue;
-    changes = changes || (m_materials >> slot & 1u) == 0 ||
-              std::memcmp(&m_values[slot], &command.values, sizeof command.values) != 0;
+    changes =
+        changes || (m_materials >> slot & 1u) == 0 || !sameBits(m_values[slot], command.values);
     m_values[slot] = command.values;
   }
   m_materials |= slots;

@@ -22,8 +22,9 @@ void PackedTile::begin(const Rect &tile, const Shading &shading, int planesFrom)
   const int left = tile.x & -kSide, bottom = (tile.y & -kSide) - originY;
   for (int block = 0; block < kSide / 4; ++block)
     for (int lane = 0; lane < kLanes; ++lane) {
+      const int row = lane / 4;
       xOf[block][lane] = float(left + 4 * block + lane % 4);
-      yOf[block][lane] = float(bottom + 4 * block + lane / 4);
+      yOf[block][lane] = float(bottom + 4 * block + row);
     }
   // A window's rows are often whole pages apart, and hardware prefetchers do not cross pages.
   constexpr int kLine = 64;

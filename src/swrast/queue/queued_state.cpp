@@ -3,14 +3,11 @@
 #include <cstring>
 #include <type_traits>
 
+#include "util/same_bits.h"
+
 namespace arbiter::swrast {
 namespace {
 
-/// True if all bytes are equal. Padding may make equal values differ, which only costs a copy.
-template <typename T> bool sameBytes(const T &a, const T &b) {
-  static_assert(std::is_trivially_copyable_v<T>);
-  return std::memcmp(&a, &b, sizeof a) == 0;
-}
 template <typename T> void copyBytes(T &to, const T &from) {
   static_assert(std::is_trivially_copyable_v<T>);
   std::memcpy(static_cast<void *>(&to), &from, sizeof to);
@@ -61,8 +58,8 @@ void QueuedState::set(const RasterState &raster, const Shading &shading, const S
 bool QueuedState::isSame(const RasterState &raster, const Shading &shading,
                          const ShadingUse &use) const {
   const abi::FragmentData &data = *shading.data;
-  if (!sameBytes(raster, m_givenRaster) || !sameBytes(shading, m_givenShading) ||
-      !sameBytes(data, m_givenData) || use.parameterRows != m_parameters.size() ||
+  if (!sameBits(raster, m_givenRaster) || !sameBits(shading, m_givenShading) ||
+      !sameBits(data, m_givenData) || use.parameterRows != m_parameters.size() ||
       (use.parameterRows != 0 && std::memcmp(m_parameters.data(), data.parameters,
                                              use.parameterRows * sizeof m_parameters[0]) != 0))
     return false;
@@ -75,7 +72,7 @@ bool QueuedState::isSame(const RasterState &raster, const Shading &shading,
     if (!view)
       continue;
     const std::size_t count = use.imageCount[unit];
-    if (!sameBytes(*view, m_givenViews[unit]) || next + count > m_levels.data() + m_levels.size() ||
+    if (!sameBits(*view, m_givenViews[unit]) || next + count > m_levels.data() + m_levels.size() ||
         (count != 0 && std::memcmp(next, view->levels, count * sizeof *next) != 0))
       return false;
     next += count;

@@ -90,7 +90,7 @@ private:
 
   /// Makes a shape from another. Only now is the vertex count of a file known.
   [[nodiscard]] Result<Mesh, MeshError> makeOf(const ShapeSpec &spec) const {
-    const auto inner = make(spec.of.front());
+    auto inner = make(spec.of.front());
     if (!inner)
       return inner;
     const auto count = int(spec.argument("count")), parts = int(spec.argument("parts"));
@@ -147,7 +147,7 @@ Result<Mesh, MeshError> buildMesh(const std::vector<ShapeSpec> &shapes, const st
       return tooMany(spec);
   Mesh whole;
   for (const ShapeSpec &spec : shapes) {
-    const auto mesh = Maker(folder).make(spec);
+    auto mesh = Maker(folder).make(spec);
     if (!mesh)
       return mesh;
     if (double(whole.vertices.size() + mesh.value().vertices.size()) > kMaxVertices)

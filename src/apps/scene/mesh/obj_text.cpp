@@ -81,6 +81,7 @@ private:
       return;
     }
     std::vector<ObjFaces::Corner> all;
+    all.reserve(std::size_t(count));
     for (int i = 0; i < count; ++i)
       all.push_back({numberOf(corners[i].vertex_index, m_faces.positions.size(), "vertex"),
                      numberOf(corners[i].texcoord_index, m_faces.sts.size(), "texture coordinate"),

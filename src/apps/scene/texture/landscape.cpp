@@ -64,6 +64,7 @@ glm::vec3 colorAt(glm::vec2 at, const Skyline &skyline) {
 Image makeLandscape(int width, int height) {
   Image image(width, height);
   std::vector<Skyline> skylines; // one for each column, as noise takes most of the picture's time
+  skylines.reserve(std::size_t(width));
   for (int x = 0; x < width; ++x)
     skylines.emplace_back(image.coordinate(x, 0).x);
   for (int y = 0; y < height; ++y)

@@ -60,7 +60,7 @@ std::optional<std::string> letters(const Operand &like, std::uint8_t mask, bool 
   if (identity)
     return "";
   for (std::size_t i = 0; i < 4; ++i)
-    word += mask >> i & 1 ? kLetters[int(like.swizzle[i])] : word.empty() ? 0 : word.back();
+    word += mask >> i & 1 ? kLetters[int(like.swizzle[i])] : word.empty() ? '\0' : word.back();
   for (std::size_t i = 4; i-- > 0;)
     if (word[i] == 0)
       word[i] = word[i + 1];
@@ -128,7 +128,7 @@ std::optional<std::string> Subject::spelled(std::uint32_t index, int operand, st
 std::string Subject::destination(std::uint32_t index) const { return tokens(at(index).dst.span); }
 
 std::string Subject::destinationBase(std::uint32_t index) const {
-  const std::string whole = destination(index);
+  std::string whole = destination(index);
   if (at(index).dst.mask == 0xF && !whole.ends_with(".xyzw") && !whole.ends_with(".rgba"))
     return whole;
   return whole.substr(0, whole.rfind('.'));

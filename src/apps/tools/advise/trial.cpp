@@ -238,6 +238,7 @@ bool near(float a, float b, Nearness nearness) {
 bool equal(const Program &original, const Program &rewritten, const std::vector<Derived> &derived,
            Nearness nearness, std::uint64_t first, std::uint32_t count) {
   std::vector<Given> given;
+  given.reserve(derived.size());
   for (const Derived &each : derived)
     given.push_back({each, {}});
   // A discarded fragment shows no result, so that further inputs are tested in its place.

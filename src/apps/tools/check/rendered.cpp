@@ -35,7 +35,7 @@ std::string renderedLine(std::string_view name, std::string_view text,
 
 std::string rendered(std::string_view name, std::string_view text, const fp::Diagnostic &diagnostic,
                      const Style &style) {
-  const std::string plain = fp::render(name, text, diagnostic);
+  std::string plain = fp::render(name, text, diagnostic);
   if (!style.color)
     return plain;
   // The text has the first line, the source line, the carets, and possibly a hint.

@@ -37,7 +37,7 @@ double numberAt(const Json &object, const char *name) {
 
 /// Returns the text that is drawn with, from an answer to program.get.
 std::string drawnText(const Json &answer) {
-  if (const std::string edit = textAt(answer, "edit"); !edit.empty())
+  if (std::string edit = textAt(answer, "edit"); !edit.empty())
     return edit;
   if (const auto bytes = wire::fromBase64(textAt(answer, "text_base64")); bytes && !bytes->empty())
     return {bytes->begin(), bytes->end()};

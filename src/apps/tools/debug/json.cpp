@@ -1,10 +1,10 @@
 #include "apps/tools/debug/json.h"
 
 #include <cmath>
-#include <cstring>
 
 #include "apps/tools/debug/trace/numbers.h"
 #include "fp_compiler/ir/print.h"
+#include "util/same_bits.h"
 
 namespace arbiter::tools::debug {
 
@@ -14,12 +14,10 @@ Json numberJson(float value) {
   return std::isfinite(value) ? Json(value) : Json(numberText(value));
 }
 
-bool isSame(const Vec4 &a, const Vec4 &b) { return std::memcmp(&a, &b, sizeof a) == 0; }
-
 /// Adds the member `name`, and "second" if the second value differs.
 void addBoth(Json &json, const char *name, const Both<Vec4> &value) {
   json[name] = vectorJson(value.first);
-  if (!isSame(value.first, value.second))
+  if (!sameBits(value.first, value.second))
     json["second"] = vectorJson(value.second);
 }
 
@@ -40,7 +38,7 @@ Json texelJson(const Texel &texel) {
                {"coordinate", vectorJson(texel.coordinate.first)},
                {"bias", numberJson(texel.bias.first)}};
   addBoth(json, "value", texel.value);
-  if (!isSame(texel.coordinate.first, texel.coordinate.second))
+  if (!sameBits(texel.coordinate.first, texel.coordinate.second))
     json["second_coordinate"] = vectorJson(texel.coordinate.second);
   json["lod"] = texel.lod ? numberJson(*texel.lod) : Json();
   return json;

@@ -176,7 +176,7 @@ Result<std::vector<Vec4>, DebugError> Session::watch(const Watch &watch) {
   if (!covered || !decidesFragments(m_fragment.program))
     return covered;
   // A pixel shows its surviving fragment if there is one.
-  const auto surviving = watchOf(watch, Fragments::Surviving);
+  auto surviving = watchOf(watch, Fragments::Surviving);
   if (!surviving)
     return surviving;
   for (std::size_t i = 0; i < covered.value().size(); ++i)

@@ -64,7 +64,7 @@ std::string askHost() {
     ::_exit(written < 0 ? 1 : 0);
   });
   ::close(ends[1]);
-  const std::string answer = child > 0 ? readFor(ends[0], kPatience) : std::string();
+  std::string answer = child > 0 ? readFor(ends[0], kPatience) : std::string();
   ::close(ends[0]);
   // alarm() in the child would not end a driver that blocks SIGALRM. A child that has answered is
   // no longer needed.

@@ -74,6 +74,7 @@ public:
 private:
   static std::string namesOf(const std::set<CLI::Option *> &options) {
     std::vector<std::string> names;
+    names.reserve(options.size());
     for (const CLI::Option *option : options)
       names.push_back(" " + option->get_name());
     std::sort(names.begin(), names.end());
@@ -85,7 +86,7 @@ private:
   static std::string placeholder(const CLI::Option &option, const Type &type) {
     if (!type.words.empty())
       return type.words;
-    if (const std::string said = saidPlaceholder(option.get_description()); !said.empty())
+    if (std::string said = saidPlaceholder(option.get_description()); !said.empty())
       return said;
     const std::string &name = option.get_lnames().front();
     return type.isNumber ? "N" : upper(name.substr(name.rfind('-') + 1));

@@ -257,7 +257,7 @@ bool Parser::undeclared(const Token &name) {
 std::string Parser::suffixHint(std::string_view suffix, bool scalar) const {
   ir::Swizzle ignored = ir::kIdentity;
   const std::string four = scalar ? "" : c_like::fourComponents(suffix);
-  const std::string hint = AssemblyParser::suffixHint(suffix, scalar);
+  std::string hint = AssemblyParser::suffixHint(suffix, scalar);
   if (four.empty() || readSwizzle(four, m_language.colorLetters, false, ignored))
     return hint;
   return hint + ": write ." + four;

@@ -82,11 +82,9 @@ void Parser::applyOption(const Token &token) {
     m_options.shadow = true;
     return;
   }
-  if (row == std::end(kOptions))
-    refuseOption(token);
-  else if (!row->apply(options))
+  if (row != std::end(kOptions) && !row->apply(options))
     error(row->conflict->id, token.span, row->conflict->message, row->conflict->hint);
-  else if (std::uint32_t(options.nv) > m_limits.nvOptions)
+  else if (row == std::end(kOptions) || std::uint32_t(options.nv) > m_limits.nvOptions)
     refuseOption(token);
   else
     m_options = options;

@@ -203,7 +203,7 @@ bool AssemblyParser::parseSwizzle(bool scalar, ir::Swizzle &swizzle, std::uint32
 }
 
 std::string AssemblyParser::suffixHint(std::string_view, bool scalar) const {
-  const std::string hint =
+  std::string hint =
       scalar ? "a scalar operand takes one of x, y, z, w" : "a suffix is one or four of x, y, z, w";
   if (!m_style.colors)
     return hint;

@@ -9,7 +9,7 @@ namespace {
 using ir::NativeLanguage;
 
 #define NATIVE_LANGUAGE(Enumerator, header, specification, doc)                                    \
-  static_assert(ir::headerOf(NativeLanguage::Enumerator) == header);
+  static_assert(ir::headerOf(NativeLanguage::Enumerator) == (header));
 #include "fp_compiler/front/native/words.def"
 
 // Sources: NV_fragment_program 3.11.1 and 3.11.3; NV_vertex_program 2.14.1 and 2.14.4;

@@ -206,19 +206,19 @@ void GetVariantPointervEXT(Context &context, GLuint id, GLenum value, void **dat
                                           GL_VERTEX_ATTRIB_ARRAY_POINTER, data);
 }
 
-#define QUERIES(Type, T)                                                                           \
-  void GetVariant##Type##vEXT(Context &context, GLuint id, GLenum value, T *data) {                \
+#define QUERIES(Type, Pointer)                                                                     \
+  void GetVariant##Type##vEXT(Context &context, GLuint id, GLenum value, Pointer data) {           \
     getVariant(context, id, value, data);                                                          \
   }                                                                                                \
-  void GetInvariant##Type##vEXT(Context &context, GLuint id, GLenum value, T *data) {              \
+  void GetInvariant##Type##vEXT(Context &context, GLuint id, GLenum value, Pointer data) {         \
     getConstant(context, GL_INVARIANT_EXT, id, value, data);                                       \
   }                                                                                                \
-  void GetLocalConstant##Type##vEXT(Context &context, GLuint id, GLenum value, T *data) {          \
+  void GetLocalConstant##Type##vEXT(Context &context, GLuint id, GLenum value, Pointer data) {     \
     getConstant(context, GL_LOCAL_CONSTANT_EXT, id, value, data);                                  \
   }
-QUERIES(Boolean, GLboolean)
-QUERIES(Integer, GLint)
-QUERIES(Float, GLfloat)
+QUERIES(Boolean, GLboolean *)
+QUERIES(Integer, GLint *)
+QUERIES(Float, GLfloat *)
 #undef QUERIES
 
 } // namespace handlers

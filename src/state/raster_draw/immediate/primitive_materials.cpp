@@ -7,6 +7,7 @@
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/immediate/replay.h"
 #include "state/raster_draw/raster_context.h"
+#include "util/same_bits.h"
 
 namespace arbiter::state {
 
@@ -82,7 +83,7 @@ bool recordsMaterial(ContextHot &hot, GLenum face, GLenum pname, const GLfloat *
       state.recorder.setFirst(kMaterial0 + material, currentMaterial(context, material));
     }
     const auto &before = state.recorder.values()[std::size_t(kMaterial0 + material)];
-    if (std::memcmp(&before, &value, sizeof value) != 0)
+    if (!sameBits(before, value))
       changing |= bit;
   }
   if (changing == 0)

@@ -2,13 +2,13 @@
 
 #include <array>
 #include <bit>
-#include <cstring>
 
 #include "state/core/memory.h"
 #include "state/host_draw/draw.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/raster_context.h"
+#include "util/same_bits.h"
 
 namespace arbiter::state {
 
@@ -29,7 +29,7 @@ class SentMaterials {
 public:
   [[nodiscard]] bool areSent(int material, const float *value) {
     const float *&last = m_last[std::size_t(material)];
-    if (last && std::memcmp(last, value, 4 * sizeof(float)) == 0)
+    if (last && sameBytes(last, value, 4 * sizeof(float)))
       return true;
     last = value;
     return false;

@@ -63,13 +63,13 @@ void ControlClient::watchWriting() {
     m_writable.setEnabled(m_client->wantsToWrite());
 }
 
-void ControlClient::call(const QString &method, const QJsonObject &params, Answer answer) {
+void ControlClient::call(const QString &method, const QJsonObject &params, const Answer &answer) {
   if (!m_client) {
     if (answer)
       answer({}, {});
     return;
   }
-  m_waiting.insert(m_client->request(method.toStdString(), fromQt(params)), std::move(answer));
+  m_waiting.insert(m_client->request(method.toStdString(), fromQt(params)), answer);
   watchWriting();
 }
 
@@ -101,7 +101,7 @@ void ControlClient::read() {
     const auto next = m_client->nextEvent();
     if (!next)
       break;
-    Q_EMIT event(QString::fromStdString(next->method), toQt(next->params));
+    Q_EMIT notified(QString::fromStdString(next->method), toQt(next->params));
   }
   while (alive && m_client) {
     const auto next = m_client->nextAnswer();

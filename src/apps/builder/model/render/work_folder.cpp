@@ -33,7 +33,7 @@ QString layOut(const Scene &scene, const QString &folder) {
     if (!file.key().contains(u'/'))
       write(target.filePath(file.key()), file.value());
   const QString name = scene.name.isEmpty() ? QStringLiteral("untitled.fp") : scene.name;
-  const QString path = target.filePath(QFileInfo(name).fileName());
+  QString path = target.filePath(QFileInfo(name).fileName());
   write(path, scene.text);
   return path;
 }

@@ -15,7 +15,6 @@ QColor colorOf(WordKind kind) {
   case WordKind::Keyword:
     return c.keyword;
   case WordKind::Option:
-    return c.option;
   case WordKind::Target:
     return c.option;
   case WordKind::Binding:

@@ -22,7 +22,7 @@ QString freeName(const QDir &folder, const QString &path) {
 
 QString copyBeside(Workbench &bench, const QString &path) {
   const QDir folder(bench.file().folder());
-  const QString name = freeName(folder, path);
+  QString name = freeName(folder, path);
   if (QFile::copy(path, folder.filePath(name)))
     return name;
   Q_EMIT bench.notice(QObject::tr("%1 cannot be copied into %2: put it there yourself, or save the "
@@ -33,7 +33,7 @@ QString copyBeside(Workbench &bench, const QString &path) {
 
 QString nameBeside(QWidget *parent, Workbench &bench, const QString &path) {
   const QDir folder(bench.file().folder());
-  const QString relative = folder.relativeFilePath(path);
+  QString relative = folder.relativeFilePath(path);
   if (!relative.startsWith(u"..") && !QDir::isAbsolutePath(relative))
     return relative;
   const auto answer = QMessageBox::question(

@@ -17,7 +17,7 @@ QString programsOf(const Word &word) {
 
 } // namespace
 
-WordsPanel::WordsPanel(std::function<void(const QString &)> insert) {
+WordsPanel::WordsPanel(const std::function<void(const QString &)> &insert) {
   auto *layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   m_search = new QLineEdit;

@@ -14,7 +14,7 @@ namespace arbiter::builder {
 /// into the text.
 class WordsPanel : public QWidget {
 public:
-  explicit WordsPanel(std::function<void(const QString &)> insert);
+  explicit WordsPanel(const std::function<void(const QString &)> &insert);
 
   /// Shows the entry of a word.
   void lookUp(const QString &word);

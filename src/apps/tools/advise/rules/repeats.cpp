@@ -35,7 +35,7 @@ bool isSame(const Subject &subject, std::uint32_t first, std::uint32_t second) {
 std::string readOf(const Subject &subject, std::uint32_t first, std::uint32_t second) {
   const Instruction &a = subject.at(first);
   const bool replicated = fp::ir::info(a.op).has(fp::ir::Replicates);
-  const std::string base = subject.destinationBase(first);
+  std::string base = subject.destinationBase(first);
   if (!replicated || (a.dst.mask & subject.at(second).dst.mask) == subject.at(second).dst.mask)
     return base;
   return base + maskText(std::uint8_t(a.dst.mask & -a.dst.mask));

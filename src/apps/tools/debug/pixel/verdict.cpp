@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 #include <numeric>
 
 #include "apps/tools/debug/pixel/cut.h"
 #include "apps/tools/debug/trace/numbers.h"
 #include "fp_compiler/back/assembly/assembly.h"
+#include "util/same_bits.h"
 
 namespace arbiter::tools::debug {
 
@@ -41,8 +41,7 @@ int stepsBetween(const Vec4 &a, const Vec4 &b, std::uint8_t mask) {
 
 bool isSameBits(const Vec4 &a, const Vec4 &b, std::uint8_t mask) {
   for (std::size_t c = 0; c < 4; ++c)
-    if ((mask >> c & 1) && std::memcmp(&a[c], &b[c], sizeof a[c]) != 0 &&
-        !(std::isnan(a[c]) && std::isnan(b[c])))
+    if ((mask >> c & 1) && !sameBits(a[c], b[c]) && !(std::isnan(a[c]) && std::isnan(b[c])))
       return false;
   return true;
 }
@@ -115,7 +114,7 @@ private:
 /// Returns the picture's pixel, and also the fragment's color if blending or a later draw changed
 /// it. A difference of one step is ignored, because hosts may round either way.
 std::string drawnText(const Verdict &verdict) {
-  const std::string picture = hexColor(verdict.picture);
+  std::string picture = hexColor(verdict.picture);
   for (std::size_t c = 0; c < 4; ++c)
     if (std::abs(int(verdict.picture[c]) - int(byteOf((*verdict.drawn)[c]))) > 1)
       return picture + " (the fragment " + colorText(*verdict.drawn) + ")";
@@ -173,6 +172,7 @@ Result<std::vector<Vec4>, DebugError> drawRows(Drawer &drawer, const Program &pr
                                                const std::vector<std::size_t> &rows, int x, int y,
                                                Fragments fragments) {
   std::vector<Probe> probes;
+  probes.reserve(rows.size());
   for (const std::size_t row : rows)
     probes.push_back({Probe::Kind::Value, row});
   return drawPixel(drawer, fp::emitAssembly(cutProgram(program, probes, fragments)), probes.size(),

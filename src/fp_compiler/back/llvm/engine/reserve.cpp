@@ -76,7 +76,7 @@ void *allocate(std::size_t bytes, std::size_t alignment) {
   const std::size_t slack = alignment > 64 ? alignment : 0;
   const std::size_t whole =
       bytes + (alignment > sizeof(Header) ? alignment : sizeof(Header)) + slack;
-  int size = std::bit_width(whole - 1);
+  auto size = int(std::bit_width(whole - 1));
   size = size < kSmallest ? kSmallest : size;
   if (size >= kSmallest + kSizes)
     return nullptr;

@@ -252,10 +252,9 @@ Vec Unit::compute(Opcode op) {
   case Opcode::Rep:
   case Opcode::Endrep:
   case Opcode::Brk:
-    break; // handled by the walk
 #define FP_NV_WORD(Enumerator, ...) case Opcode::Enumerator:
 #include "fp_compiler/ir/ops.def"
-    break; // never in a program's code
+    break; // the walk handles these, and the words of NVIDIA's languages are in no program's code
   }
   llvm_unreachable("not an arithmetic opcode");
 }

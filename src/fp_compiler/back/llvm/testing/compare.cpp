@@ -94,6 +94,7 @@ std::vector<Expected> expectedOf(const ir::Program &program, Numerics numerics,
                                  const std::vector<TestMachine::Attributes> &attributes,
                                  const std::vector<Vec4> &parameters, const Function &function) {
   std::vector<std::unique_ptr<Lane>> lanes;
+  lanes.reserve(attributes.size());
   for (const TestMachine::Attributes &each : attributes)
     lanes.push_back(std::make_unique<Lane>(program, numerics, each, parameters, function));
   std::vector<Expected> expected(lanes.size());

@@ -68,7 +68,7 @@ GuardedTexture::GuardedTexture(const abi::SamplerKey &key, std::array<int, 3> si
                                std::mt19937 &random) {
   const bool cube = key.dimension == abi::Dimension::Cube;
   const auto biggest = unsigned(std::max({size[0], size[1], size[2]}));
-  view.levelCount = key.mip == abi::MipFilter::None ? 1 : std::bit_width(biggest);
+  view.levelCount = key.mip == abi::MipFilter::None ? 1 : int(std::bit_width(biggest));
   for (int level = 0; level < view.levelCount; ++level) {
     for (int face = 0; face < (cube ? 6 : 1); ++face)
       addImage(key, size, random);
@@ -83,7 +83,7 @@ GuardedTexture::GuardedTexture(const abi::SamplerKey &key, std::array<int, 3> si
     component = std::uniform_real_distribution<float>(0, 1)(random);
   for (std::size_t i = 0; i < 4; ++i) {
     const abi::From from = key.format.swizzle[i];
-    view.borderColor[i] = from <= abi::From::C3 ? stored[int(from)] : from == abi::From::One;
+    view.borderColor[i] = from <= abi::From::C3 ? stored[int(from)] : float(from == abi::From::One);
   }
 }
 
