@@ -11,6 +11,7 @@ import time
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+PATIENCE = 30  # seconds
 sys.path.insert(0, str(ROOT / "scripts"))
 
 import release  # noqa: E402
@@ -75,6 +76,13 @@ class Release(unittest.TestCase):
         path = self.root / "out" / "runs"
         return path.read_text().split() if path.exists() else []
 
+    def wait_for_runs(self, count):
+        """Waits until so many suites have begun."""
+        end = time.monotonic() + PATIENCE
+        while len(self.runs()) < count:
+            self.assertLess(time.monotonic(), end, f"{count} suites have not begun")
+            time.sleep(0.02)
+
     def result(self, name):
         return json.loads((self.root / "out" / "release" / self.git("rev-parse", "HEAD") / f"{name}.json").read_text())
 
@@ -100,10 +108,9 @@ class Release(unittest.TestCase):
         self.commit()
         for turn, number in enumerate((signal.SIGTERM, signal.SIGKILL)):
             child = subprocess.Popen(self.command(), stdout=subprocess.DEVNULL)
-            while self.runs().count("two") <= turn:
-                time.sleep(0.02)
+            self.wait_for_runs(2 + turn)
             child.send_signal(number)
-            self.assertNotEqual(child.wait(timeout=30), 0)
+            self.assertNotEqual(child.wait(timeout=PATIENCE), 0)
             with self.assertRaises(FileNotFoundError):
                 self.result("two")
         (self.root / "out" / "go").write_text("")
@@ -115,8 +122,7 @@ class Release(unittest.TestCase):
         self.suites("one 0 wait")
         self.commit()
         child = subprocess.Popen(self.command(), stdout=subprocess.DEVNULL)
-        while not self.runs():
-            time.sleep(0.02)
+        self.wait_for_runs(1)
         second = self.run_release()
         self.assertIn("another one is under way", second.stderr)
         child.kill()
@@ -148,11 +154,10 @@ class Release(unittest.TestCase):
         self.commit()
         before = self.git("rev-parse", "HEAD")
         child = subprocess.Popen(self.command(), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-        while not self.runs():
-            time.sleep(0.02)
+        self.wait_for_runs(1)
         self.commit()
         (self.root / "out" / "go").write_text("")
-        self.assertIn("became another commit", child.communicate(timeout=30)[1])
+        self.assertIn("became another commit", child.communicate(timeout=PATIENCE)[1])
         self.assertFalse((self.root / "out" / "release" / before / "one.json").exists())
 
     def test_what_does_not_fit_a_sitting_is_left(self):
