@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The packages of out/packages as a user of a bare Debian has them: lintian, installed in a clean
 # chroot, used, purged, and nothing of them left. Runs as root.
-# usage: scripts/check_packages.sh [FOLDER]     the packages, out/packages without
+# usage: scripts/check_packages.sh [FOLDER [RELEASE]]     the packages, out/packages without; the release of Debian
 set -euo pipefail
 
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
@@ -11,12 +11,12 @@ source "$root/scripts/dev_lib.sh"
 packages=$(readlink -f "${1:-$root/out/packages}")
 work=$root/build-package/check
 chroot=$work/chroot
-suite=bookworm
+suite=${2:-bookworm}
 
 # All mounts are this script's, and go with it.
 if [[ -z ${ARBITER_CHECK_INSIDE:-} ]]; then
   exec unshare --mount --pid --fork --mount-proc --propagation private -- \
-    env ARBITER_CHECK_INSIDE=1 "$root/scripts/check_packages.sh" "$packages"
+    env ARBITER_CHECK_INSIDE=1 "$root/scripts/check_packages.sh" "$packages" "$suite"
 fi
 mkdir -p "$results"
 failures=0
@@ -41,7 +41,7 @@ rm -r "$work/lintian"
 # The bare system is kept; a check starts from a copy of it. The main archive alone: all packages of
 # two architectures must have one version, and another archive's may be newer in one of them.
 step "a clean $suite"
-base=$work/base-${architectures/,/-}.tar
+base=$work/base-$suite-${architectures/,/-}.tar
 if [[ ! -f $base ]]; then
   mmdebstrap --quiet --format=tar --variant=minbase --architectures="$architectures" "$suite" "$base.part" \
     "deb http://deb.debian.org/debian $suite main"

@@ -19,7 +19,11 @@ native=$(dpkg --print-architecture)
 architecture=${1:-$native}
 [[ $# -le 1 && ($architecture == "$native" || "$native $architecture" == "amd64 i386") ]] ||
   fail "package: ${*: -1}: there is $native here$([[ $native != amd64 ]] || echo ", and i386")"
-version=$(dpkg-parsechangelog -l "$root/debian/changelog" -S Version)
+# Packages of a later Debian are newer than those of the one that the changelog is written for, so that both that are
+# installed when a system goes to the next release are replaced.
+# shellcheck source=/dev/null
+suffix=$(source /etc/os-release; [[ ${VERSION_CODENAME:-} == bookworm ]] || echo "+$ID${VERSION_ID:-}")
+version=$(dpkg-parsechangelog -l "$root/debian/changelog" -S Version)$suffix
 work=${ARBITER_PACKAGE_BUILD:-$root/build-package}/$architecture
 source=$work/arbiter-$version
 
@@ -54,6 +58,7 @@ build_here() {
 
 rm -rf --one-file-system "$work"
 copy_tree "$source"
+if [[ -n $suffix ]]; then sed -i "1s/([^)]*)/($version)/" "$source/debian/changelog"; fi
 if [[ $architecture == "$native" ]]; then
   build_here
 else
