@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "swrast/cover/flush_mode.h"
-#include "util/same_bits.h"
+#include "util/numbers/same_bits.h"
 
 namespace arbiter::swrast {
 namespace {

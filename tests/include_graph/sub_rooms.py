@@ -51,7 +51,7 @@ ORDER = {
               "render", "report", "stats"],
     "apps/tools/advise": ["rules"],
     "apps/tools/debug": ["trace", "pixel", "draws", "gl"],
-    "util": ["text", "cache", "hud", "defaults", "record"],
+    "util": ["text", "numbers", "cache", "hud", "defaults", "record"],
 }
 # Generated headers that another room than their folder's implements.
 GENERATED = {"host/handlers.h": "state/handlers/handlers.h"}

@@ -1,6 +1,8 @@
 // Generic vertex attributes that alias the conventional ones by number (NV_vertex_program, table
 // X.2; ARB_vertex_program, interactions with it). Either command sets a register and either name
 // reads it: as current values, between Begin and End, in lists, with programs and without.
+#include <algorithm>
+
 #include "aliased_attributes.h"
 
 namespace api::aliases {

@@ -3,7 +3,7 @@
 #include <bit>
 #include <cmath>
 
-#include "util/half.h"
+#include "util/numbers/half.h"
 
 namespace arbiter::fp::ir {
 

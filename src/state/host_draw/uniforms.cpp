@@ -6,7 +6,7 @@
 #include "state/host_draw/linking/host_assembly.h"
 #include "state/objects/linked_program.h"
 #include "state/programs/program_edits.h"
-#include "util/same_bits.h"
+#include "util/numbers/same_bits.h"
 
 namespace arbiter::state {
 

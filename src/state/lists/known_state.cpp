@@ -4,7 +4,7 @@
 
 #include <GL/glext.h>
 
-#include "util/same_bits.h"
+#include "util/numbers/same_bits.h"
 
 namespace arbiter::state {
 

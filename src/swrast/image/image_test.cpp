@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "swrast/image/pixel_values.h"
-#include "util/half.h"
+#include "util/numbers/half.h"
 
 namespace arbiter::swrast {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "util/half.h"
+#include "util/numbers/half.h"
 
 namespace arbiter::swrast {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstring>
 #include <type_traits>
 
-#include "util/same_bits.h"
+#include "util/numbers/same_bits.h"
 
 namespace arbiter::swrast {
 namespace {

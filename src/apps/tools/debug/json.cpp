@@ -4,7 +4,7 @@
 
 #include "apps/tools/debug/trace/numbers.h"
 #include "fp_compiler/ir/print.h"
-#include "util/same_bits.h"
+#include "util/numbers/same_bits.h"
 
 namespace arbiter::tools::debug {
 

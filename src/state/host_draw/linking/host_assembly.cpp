@@ -10,7 +10,7 @@
 #include "state/objects/linked_program.h"
 #include "state/programs/program_edits.h"
 #include "state/share/share_group.h"
-#include "util/same_bits.h"
+#include "util/numbers/same_bits.h"
 
 namespace arbiter::state {
 

@@ -13,7 +13,7 @@
 #include "state/core/errors.h"
 #include "state/programs/program_context.h"
 #include "state/programs/texture_shaders/component_formats.h"
-#include "util/half.h"
+#include "util/numbers/half.h"
 
 namespace arbiter::state {
 

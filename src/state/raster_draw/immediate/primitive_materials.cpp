@@ -7,7 +7,7 @@
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/immediate/replay.h"
 #include "state/raster_draw/raster_context.h"
-#include "util/same_bits.h"
+#include "util/numbers/same_bits.h"
 
 namespace arbiter::state {
 

@@ -9,7 +9,7 @@
 
 #include <GL/glext.h>
 
-#include "util/half.h"
+#include "util/numbers/half.h"
 
 namespace arbiter::state {
 

@@ -8,7 +8,7 @@
 #include "apps/tools/debug/pixel/cut.h"
 #include "apps/tools/debug/trace/numbers.h"
 #include "fp_compiler/back/assembly/assembly.h"
-#include "util/same_bits.h"
+#include "util/numbers/same_bits.h"
 
 namespace arbiter::tools::debug {
 
