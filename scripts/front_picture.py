@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Makes the picture of README, docs/pictures/front.png, of what real programs show.
 
 usage: front_picture.py --build BUILD [--out FILE]    makes it

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Makes docs/pictures/programs.png: what programs of Debian show under Arbiter, on one sheet.
 
 usage: program_pictures.py --build BUILD [--out FILE]    runs the programs and makes the sheet
