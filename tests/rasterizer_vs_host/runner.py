@@ -166,8 +166,18 @@ class Case:
                 wrong = [line for check in checks for line in check(run)]
                 found.append((f"{what}: {self.row.tell(run)}", wrong, run))
             except DEATHS as death:
-                found.append((what, [str(death)], None))
+                found.append((what, self.judge_death(way, death), None))
         return found
+
+    def judge_death(self, way, death):
+        """Returns the complaint about a run that died, or why it is none: the host drew, and dies without the layer."""
+        if way.backend == "host":
+            try:
+                self.process(BARE, way)
+            except DEATHS as bare:
+                if str(bare) == str(death):
+                    return f"the bare host does not stand it: {bare}"
+        return [str(death)]
 
 
 class Runner:
