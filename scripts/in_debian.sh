@@ -3,7 +3,7 @@
 # usage: scripts/in_debian.sh RELEASE COMMAND...     as in: scripts/in_debian.sh trixie ./dev test
 #
 # The commit that is checked out is what runs. The bare system and the packages that were fetched are kept in
-# build-package, the rest goes; out/test comes back.
+# build-package, the rest goes; out/test comes back, with what a release says of the machine.
 set -euo pipefail
 
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
@@ -46,6 +46,8 @@ inside sh -c 'cd /root/arbiter && "$@"' sh "${@:2}" || status=$?
 mkdir -p "$root/out/test"
 rm -f "$root"/out/test/*.json
 cp "$chroot"/root/arbiter/out/test/*.json "$root/out/test/" 2>/dev/null || true
+inside sh -c 'cd /root/arbiter && scripts/release.py --machine' >"$root/out/test/.machine" 2>/dev/null ||
+  rm -f "$root/out/test/.machine"
 rm -rf "$root/out/debian-$release"
 cp -r "$chroot/root/arbiter/out" "$root/out/debian-$release" 2>/dev/null || mkdir -p "$root/out/debian-$release"
 cp -r "$chroot/root/arbiter/build/meson-logs" "$root/out/debian-$release/" 2>/dev/null || true

@@ -93,7 +93,7 @@ def renderer():
 
 
 def machine():
-    """Returns what the results depend on besides the commit."""
+    """Returns what results of this environment depend on besides the commit."""
     system = ""
     for line in pathlib.Path("/etc/os-release").read_text().splitlines():
         if line.startswith("PRETTY_NAME="):
@@ -101,6 +101,12 @@ def machine():
     name, version = renderer()
     return {"renderer": name, "version": version, "compiler": first_line("g++", "--version"), "system": system,
             "processor": os.uname().machine, "cores": os.cpu_count()}
+
+
+def machine_of(root):
+    """Returns the machine that a suite's verb has left as its own, else that of this environment."""
+    left = root / "out" / "test" / ".machine"
+    return json.loads(left.read_text()) if left.exists() else machine()
 
 
 class Release:
@@ -131,8 +137,8 @@ class Release:
     def run(self, suite, options, place):
         """Runs a suite to its end and writes its result."""
         command = suite["command"] + (options if suite.get("engine") else [])
-        for old in (self.root / "out" / "test").glob("*.json"):
-            old.unlink()
+        for old in [*(self.root / "out" / "test").glob("*.json"), self.root / "out" / "test" / ".machine"]:
+            old.unlink(missing_ok=True)
         log = self.folder / f"{suite['name']}.log"
         started, date = time.monotonic(), datetime.datetime.now(datetime.timezone.utc)
         status = self.follow(command, log, place)
@@ -141,7 +147,7 @@ class Release:
         result = {"schema": 1, "suite": suite["name"], "command": command, "commit": self.commit,
                   "date": date.strftime("%Y-%m-%dT%H:%M:%SZ"), "seconds": round(time.monotonic() - started),
                   "status": status, **summed(self.parts(), status, log.read_text(errors="replace")),
-                  "machine": machine()}
+                  "machine": machine_of(self.root)}
         write(self.folder / f"{suite['name']}.json", result)
         return result
 
@@ -252,6 +258,8 @@ def arguments(words):
 def main():
     if sys.argv[1:] == ["--renderer"]:
         return print_renderer()
+    if sys.argv[1:] == ["--machine"]:
+        return print(json.dumps(machine()))
     args = arguments(sys.argv[1:])
     suites = suites_of(args.suites)
     unknown = set(args.names) - {suite["name"] for suite in suites}

@@ -2,6 +2,7 @@
 """Checks `./dev release` with suites of its own, in a repository of its own."""
 
 import json
+import os
 import pathlib
 import signal
 import subprocess
@@ -141,6 +142,17 @@ class Release(unittest.TestCase):
         self.assertEqual(self.runs(), ["one", "two"])
         self.assertRegex(done.stdout, r"one +3 +1 +2 +0  failed")
         self.assertIn("a line of one", next((self.root / "out" / "release").glob("*/one.log")).read_text())
+
+    def test_a_suite_may_have_a_machine_of_its_own(self):
+        self.suites("one 0 quick", "two 0 quick")
+        table = self.root / "suites.toml"
+        leaves = "mkdir -p out/test; echo '{\\\"renderer\\\": \\\"of one\\\"}' >out/test/.machine; "
+        table.write_text(table.read_text().replace('"-c", "', f'"-c", "{leaves}', 1))
+        self.commit()
+        self.assertEqual(self.run_release().returncode, 0)
+        self.assertEqual(self.result("one")["machine"], {"renderer": "of one"})
+        self.assertNotEqual(self.result("two")["machine"]["renderer"], "of one", "the machine of the suite before")
+        self.assertEqual(self.result("two")["machine"]["cores"], os.cpu_count())
 
     def test_the_tree_must_be_the_commits(self):
         (self.root / "suite.py").write_text(SUITE + "\n")
