@@ -136,12 +136,20 @@ def sentence(data, known):
 
 
 def first_table(data, known):
-    """A row for each suite, a column for each host."""
+    """A row for each title of suites, a column for each host. Suites that do the same over several hosts share a
+    title."""
     hosts = [host["name"] for host in data["hosts"]]
-    found = {(row["suite"], row["host"]): row for row in data["results"]}
+    titles = {}
+    for suite in data["suites"]:
+        titles.setdefault(suite["title"], []).append(suite["name"])
+
+    def cell_of(names, host):
+        rows = [row for row in data["results"] if row["suite"] in names and row["host"] == host]
+        return "; ".join(outcome(row, data["commit"], known) for row in rows or [None])
+
     return table(["suite", *map(cell, hosts or ["result"])],
-                 [[plain(suite["title"])] + [outcome(found.get((suite["name"], host)), data["commit"], known)
-                                             for host in hosts or [None]] for suite in data["suites"]])
+                 [[plain(title)] + [cell_of(names, host) for host in hosts or [None]]
+                  for title, names in titles.items()])
 
 
 def each_suite(data):

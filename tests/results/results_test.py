@@ -129,6 +129,20 @@ class Page(Folder):
     def text(self, known=()):
         return page.overview(page.checked(self.data, SUITES), list(known))
 
+    def test_suites_of_one_title_are_one_row(self):
+        suites = [{**SUITES[0], "name": name, "title": "over another driver"} for name in ("here", "there", "nowhere")]
+        names = ("softpipe", "zink")
+        rows = [suite("here", [part("a", 3, 0, 0)], {**MACHINE, "renderer": names[0]}),
+                suite("there", [part("a", 4, 0, 0)], {**MACHINE, "renderer": names[1]})]
+        data = collect.collected([written(self.folder, "same", rows)], suites)
+        lines = page.first_table(page.checked(data, suites), [])
+        self.assertEqual(lines[0], "| suite | softpipe, Mesa 22.3 | zink, Mesa 22.3 |")
+        self.assertEqual(lines[2:], ["| over another driver | 3 passed | 4 passed |"])
+        data["results"].append({**data["results"][0], "suite": "nowhere", "passed": 0, "skipped": 1, "skips": {"x": 1},
+                                "parts": []})
+        self.assertEqual(page.first_table(page.checked(data, suites), [])[2:],
+                         ["| over another driver | 3 passed; 0 passed, 1 skipped | 4 passed |"])
+
     def test_the_first_sentence_and_table(self):
         lines = self.text().splitlines()
         self.assertEqual(lines[2], "At commit `0123456789ab` of 30 November 2026, 4 of 20 suites ran on 2 hosts: 3,553 "
