@@ -48,6 +48,12 @@ suite 1 "2 passed, 1 failed, 0 skipped" 'of_parts a script "counted b true; coun
 suite 0 "3 passed, 0 failed, 0 skipped" 'counted_whole a left'
 suite 0 "" 'counted_whole a test --shard = --shard; exit'
 suite 0 "" 'is_part --shard 1/2; is_part --shard=1/2; ! is_part --shards 2; exit'
+# A suite may have nothing to run, if it says so and each of its skips has an owner.
+lacks='counted a sh -c "echo skipped: needs root; exit 77"'
+suite 1 "0 passed, 0 failed, 1 skipped" "$lacks"
+suite 0 "0 passed, 0 failed, 1 skipped" "$lacks; may_skip=yes finish_results; exit"
+suite 1 "0 passed, 0 failed, 0 skipped" 'may_skip=yes finish_results; exit'
+suite 1 "0 passed, 1 failed, 1 skipped" 'counted a sh -c "echo skipped: no such row; exit 77"; may_skip=yes finish_results; exit'
 # Another suite runs; then one that has ended.
 sleep 60 >/dev/null &
 other=$!
