@@ -176,12 +176,43 @@ need_engine() {
 # Tests see a plain GL of software, whatever the caller has set.
 plain_environment() {
   local name
-  for name in $(compgen -e | grep -E '^(ARBITER_|__GLX_|__EGL_|MESA_|GALLIUM_|LIBGL_)' || true); do
+  for name in $(compgen -e | grep -E '^(ARBITER_|__GLX_|__EGL_|MESA_|GALLIUM_|LIBGL_|VK_|TEST_HOST)' || true); do
     unset "$name"
   done
   unset LD_PRELOAD
   export LIBGL_ALWAYS_SOFTWARE=1
 }
+
+# Tests have another GL driver under them. usage: use_host NAME   one of scripts/hosts.py
+use_host() {
+  local line
+  plain_environment
+  while IFS= read -r line; do
+    export "${line?}"
+  done < <(python3 "$root/scripts/hosts.py" environment "$1")
+}
+
+# What can be judged over any driver, over the named one. A driver that cannot be here is one skipped case.
+# usage: over_host NAME
+over_host() {
+  local name=$1 suite
+  use_host "$name"
+  step "$name"
+  counted "$name-driver" python3 "$root/scripts/hosts.py" check "$name"
+  python3 "$root/scripts/hosts.py" check "$name" >/dev/null || return 0
+  for suite in api demonstrations differential; do
+    step "$name: $suite"
+    counted "$name-$suite" python3 "$root/tests/hosts/judge.py" "$suite" --build "$build" \
+      --out "$out/hosts/$name/$suite" --counts "$results/$name-$suite.json"
+  done
+  step "$name: piglit, the quick set"
+  counted "$name-piglit" python3 "$root/tests/piglit/compare.py" --build "$build" --set quick --profiles host,auto \
+    --results "$out/hosts/$name/piglit" --counts "$results/$name-piglit.json"
+  leave_machine
+}
+
+# What a release says of the machine is what this environment draws with, not the release's own.
+leave_machine() { python3 "$root/scripts/release.py" --machine >"$results/.machine"; }
 
 # A display of its own on a free number, gone with this script.
 start_display() {

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # Tests how scripts/dev_lib.sh counts the steps of a suite, with planted failures.
-# shellcheck disable=SC2016,SC2034,SC2154  # steps are evaluated later, variables are read and set by dev_lib.sh
+# shellcheck disable=SC2016,SC2034,SC2154,SC2317  # steps are evaluated later, variables are read and set by dev_lib.sh
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 out=$(mktemp -d)
+build=$out/build
 trap 'rm -rf "$out"' EXIT
 # shellcheck source=scripts/dev_lib.sh
 source "$root/scripts/dev_lib.sh"
@@ -54,6 +55,35 @@ suite 1 "0 passed, 0 failed, 1 skipped" "$lacks"
 suite 0 "0 passed, 0 failed, 1 skipped" "$lacks; may_skip=yes finish_results; exit"
 suite 1 "0 passed, 0 failed, 0 skipped" 'may_skip=yes finish_results; exit'
 suite 1 "0 passed, 1 failed, 1 skipped" 'counted a sh -c "echo skipped: no such row; exit 77"; may_skip=yes finish_results; exit'
+
+# Stands in for python3: a host is there, lacks or is another one by this status, and nothing runs over it.
+# usage: of_host STATUS
+of_host() {
+  stood_in=$1
+  python3() {
+    case "$*" in
+      *"hosts.py check"*)
+        echo "skipped: no driver of NVIDIA's here"
+        return "$stood_in"
+        ;;
+      */tests/hosts/judge.py* | */compare.py*) echo "over $TEST_HOST: $*" >>"$out/ran" ;;
+      *"release.py --machine"*) echo "over $TEST_HOST" ;;
+      *) command python3 "$@" ;;
+    esac
+  }
+}
+suite 0 "0 passed, 0 failed, 1 skipped" 'of_host 77; over_host nvidia; may_skip=yes finish_results; exit'
+[[ ! -f $out/ran && ! -f $results/.machine ]]
+suite 1 "0 passed, 1 failed, 0 skipped" 'of_host 1; over_host zink'
+[[ ! -f $out/ran && ! -f $results/.machine ]]
+suite 0 "5 passed, 0 failed, 0 skipped" 'of_host 0; over_host softpipe'
+[[ $(grep -c "over softpipe" "$out/ran") == 4 && $(cat "$results/.machine") == "over softpipe" ]]
+suite 0 "" 'use_host softpipe; [[ $GALLIUM_DRIVER == softpipe ]]; use_host llvmpipe; [[ -z ${GALLIUM_DRIVER:-}${TEST_HOST:-} ]]; exit'
+for words in "" nosuch "softpipe nosuch"; do
+  # shellcheck disable=SC2086  # words
+  [[ $("$root/dev" hosts $words 2>&1) == "hosts: no host "*"there are: llvmpipe softpipe zink nvidia" ]]
+  passed=$((passed + 1))
+done
 # Another suite runs; then one that has ended.
 sleep 60 >/dev/null &
 other=$!

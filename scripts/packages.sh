@@ -28,6 +28,9 @@ packages_real_quick=(openscad apitrace python3-opengl freeglut3-dev)
 packages_parallel=(parallel rsync openssh-client)
 packages_slurm=(slurm-client)
 
+# `./dev hosts zink`: llvmpipe's Vulkan driver, among others.
+packages_zink=(mesa-vulkan-drivers)
+
 packages_bench=(xvfb xauth)
 packages_check_quick=(clang-format flake8 shellcheck)
 packages_check=(clang-tidy reuse)

@@ -5,10 +5,11 @@ One line for each difference, four fields with ` | ` between them:
     test or pattern (* matches anything) | result on the bare host | result under the layer | reason
 
 A line without a reason is an error. So is a line whose tests ran without such a difference:
-the files describe the present state.
+the files describe the present state. PROFILE-on-HOST.txt has those that only that host has (scripts/hosts.py).
 """
 
 import fnmatch
+import os
 import pathlib
 import re
 
@@ -46,10 +47,13 @@ def parse(text, where):
 
 
 def load(profile):
-    """Returns the expectations of a configuration; auto-programs and swrast-programs share those of auto and swrast."""
+    """Returns the expectations of a configuration, over the host that TEST_HOST names. auto-programs and
+    swrast-programs share those of auto and swrast."""
     name = profile.removesuffix("-programs").replace(":", "-")
-    path = pathlib.Path(__file__).parent / "expectations" / (name + ".txt")
-    return parse(path.read_text(), path.name)
+    folder = pathlib.Path(__file__).parent / "expectations"
+    rows = parse((folder / (name + ".txt")).read_text(), name + ".txt")
+    of_host = folder / f"{name}-on-{os.environ.get('TEST_HOST', 'llvmpipe')}.txt"
+    return rows + parse(of_host.read_text(), of_host.name) if of_host.exists() else rows
 
 
 def differences(bare, layer):

@@ -7,11 +7,16 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 
 from profiles import PROFILES
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+
+import hosts
+
 # These prefixes are removed from a test's environment, so that the two sides differ only by the layer.
-FOREIGN = ("ARBITER_", "__GLX_", "__EGL_", "MESA_", "GALLIUM_", "LIBGL_", "LD_PRELOAD", "PIGLIT_")
+FOREIGN = ("ARBITER_", "__GLX_", "__EGL_", "MESA_", "GALLIUM_", "LIBGL_", "VK_", "LD_PRELOAD", "PIGLIT_")
 
 
 # The back end (ARBITER_BACKEND) of each configuration. With the profile `host` it is the host, or Arbiter's rasterizer
@@ -27,7 +32,7 @@ def environment(layer=None, profile=None, extra=None):
     profile: a name of ARBITER_PROFILE, with `:report` or `:enforce` for ARBITER_LIMITS, or one of BY_BACKEND: the
     profile `host` with that ARBITER_BACKEND."""
     env = {k: v for k, v in os.environ.items() if not k.startswith(FOREIGN)}
-    env["LIBGL_ALWAYS_SOFTWARE"] = "1"
+    env.update(hosts.environment())
     env["PIGLIT_NO_FAST_SKIP"] = "1"  # a skip is the test's own answer, not the framework's guess
     if layer:
         env["LD_PRELOAD"] = str(layer)
