@@ -360,16 +360,15 @@ def statistics():
     state = ROOT / 'src' / 'state'
     out = ['# Statistics\n', GENERATED.format(source=source),
            '`arbiter run --stats FILE` writes this JSON for each process that makes a context. `arbiter stats FILE...` '
-           'adds several files. Words with hyphens are the same in the figures in the frame, in `arbiter ctl stats` '
-           'and in captures.\n',
+           'adds several files. Words of paths and reasons are the same in the figures in the frame, in '
+           '`arbiter ctl stats` and in captures.\n',
            '## Members\n', '`[]` stands for each element of a list.\n',
            '| member | what it is |', '|---|---|']
     for place, doc in rows_of(state / 'statistics' / 'members.def', 'ARBITER_MEMBER'):
         out.append(f'| `{place}` | {doc} |')
     out += ['\n## Paths: who drew\n',
             'Each draw is counted once. The first four are members of `draws`, the others of `draws.reasons`. Files of '
-            'schema 2 have `host_glsl`, `host_assembly` and `recorded` for `host-glsl`, `host-assembly` and '
-            '`recorded-in-list`.\n',
+            'schema 3 have hyphens in the words, and those of schema 2 `recorded` for `recorded_in_list`.\n',
             '| path | draws |', '|---|---|']
     for _, word, doc in rows_of(state / 'core' / 'paths.def', 'ARBITER_PATH'):
         out.append(f'| `{word}` | {doc} |')

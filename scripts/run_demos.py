@@ -65,7 +65,7 @@ def summary(path):
                      % (alu, tex, indirections, "" if indirections == 1 else "s"))
     draws = stats["draws"]
     parts.append("%d draws rasterized, %d by the host, %d untouched"
-                 % (draws["rasterizer"], draws["host-glsl"] + draws["host-assembly"], draws["host_untouched"]))
+                 % (draws["rasterizer"], draws["host_glsl"] + draws["host_assembly"], draws["host_untouched"]))
     parts += ["%d %s" % (count, reason) for reason, count in draws["reasons"].items()]
     if stats["feedback"]["copies"]:
         parts.append("%d feedback copies" % stats["feedback"]["copies"])

@@ -61,7 +61,7 @@ def not_drawn(stats, programs):
         return "no statistics"
     # Under a mode of arithmetic the suite measures attributes with GLSL of its own.
     given = {reason: count for reason, count in software["given_to_host"].items()
-             if reason != "no-fragment-program" or count > SUITE_GLSL}
+             if reason != "no_fragment_program" or count > SUITE_GLSL}
     if software["drawn"] >= programs and not given:
         return ""
     return "drew %d of %d programs, gave the host %s" % (software["drawn"], programs, given)

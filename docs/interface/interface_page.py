@@ -16,6 +16,8 @@ page has the same as data. A test compares the tree with the list of the last re
   its default. A better name comes beside the old one, which goes on.
 - **Readers pass over what they do not know.** A JSON document, a reply or an event may get more members in any version.
   `schema` is the same number until a member changes its meaning, and the protocol's number likewise.
+- **Words have one style.** Names of members, and values that are words of a closed list, are in snake_case; what a user
+  types as the value of an option, as the name of a profile or of a file, stays as it is typed.
 - **A package of 1.x takes the place of any other.** Names of packages, of installed files, of libraries (SONAME) and of
   symbols stay.
 

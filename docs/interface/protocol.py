@@ -16,6 +16,7 @@ import time
 import known
 from reports import COUNTS, SECONDS, SEEN, tree
 from sources import ROOT, Broken, text_of
+from words import style_of
 
 sys.path.insert(0, str(ROOT / 'tests' / 'clients'))
 from x_server import XServer  # noqa: E402
@@ -190,6 +191,7 @@ def ask_all(server, peer):
             reply.add(answer['result'])
             check_needed(server, peer, method, example, pages.get(method, {}))
             kinds.add(filled(example, peer) if 'IMAGE' in example.values() else example)
+        style_of([reply])
         if method not in pages or set(pages[method]) != {name for example in examples for name in example}:
             raise Broken(f'{PAGE}: {method}: the page has {sorted(pages.get(method, []))}, not {examples}')
         entries.append({'key': f'{server} {method}', 'what': 'request'})

@@ -12,6 +12,7 @@ import sys
 import known
 from sources import ROOT, Broken, generate
 from trees import Tree
+from words import style_of
 
 sys.path.insert(0, str(ROOT / 'tests' / 'clients'))
 from plain_environment import plain  # noqa: E402
@@ -101,7 +102,7 @@ def checks(runs):
     with open(bytes(runs.folder) + b'/\xff.fp', 'w') as file:
         file.write(ADVISED)
     check.add(runs.document('check', '--json', b'\xff.fp'))
-    cards = tree('check --profile all', maps={'summary.fit'})
+    cards = tree('check --profile all', maps={'summary.valid_by_profile'})
     cards.add(runs.document('check', '--json', '--profile', 'all', *names, 'seen.fp'))
     compare = tree('check --compare', same={'files[]': (check, 'files[]')}, named={'compare.resources'})
     for pair in (('advised.fp', 'seen.fp'), ('wrong.fp', 'long.fp'), ('nodes.fp', 'kills.fp')):
@@ -265,6 +266,7 @@ def collect(runs):
     trees = [each for part in (checks, compiles, lists, pictures) for each in part(runs)]
     trees += processes(runs, {each.name: each for each in trees})
     report_of_editor(runs, trees[0])
+    style_of(trees)
     entries = []
     for each in trees:
         entries.append({'key': each.name, 'command': COMMANDS[each.name]})

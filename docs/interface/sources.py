@@ -22,7 +22,6 @@ OWN_VARIABLES = {'ARBITER_SAVED_GLX_VENDOR', 'ARBITER_SAVED_EGL_VENDORS', 'ARBIT
 # Functions that return the words of a member.
 NAMERS = (('severity', 'src/fp_compiler/diagnostic.cpp', 'severityName(Severity'),
           ('status of check', 'src/apps/tools/check/checked_file.cpp', 'name(FileStatus'),
-          ('verdict of report', 'src/apps/tools/report/json.cpp', 'verdictName(Verdict'),
           ('level of doctor', 'src/apps/tools/doctor/command.cpp', 'nameOf(Level'),
           ('provider of statistics', 'src/state/statistics/statistics_text.cpp', 'providerName(Provider'),
           ('kind of control', 'src/state/control/parameter_methods.cpp', 'kindWord(ParameterKind'))
@@ -194,7 +193,7 @@ def identifiers():
         raise Broken(f'docs/use/doctor.md: findings that the page or the code lacks: {sorted(missing)}')
     entries += [{'key': f'finding of doctor {name}'} for name in found]
     rules = re.search(r'kRules\[\] = \{(.*?)\n\};', text_of('src/apps/tools/advise/rules/rules.cpp'), re.S).group(1)
-    return entries + [{'key': f'rule of advice {name}'} for name in re.findall(r'^    \{"([\w-]+)"', rules, re.M)]
+    return entries + [{'key': f'rule of advice {name}'} for name in re.findall(r'^    \{"(\w+)"', rules, re.M)]
 
 
 DECLARATION = re.compile(r'^(?P<type>[\w\s*]+?[\s*])(?P<name>\w+)\s*\((?P<rest>.*)\)$', re.S)

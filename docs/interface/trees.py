@@ -6,13 +6,13 @@ names are data, as the names of files are. Types are text, number, truth, null, 
 
 
 class Tree:
-    """The places that the documents of one report have had."""
+    """The places that the documents of one report have had, with the texts that stood there."""
 
     def __init__(self, maps=(), named=(), same=()):
         """maps: places of maps. named: places of maps whose names belong to the interface. same: pairs of a place and
         the tree that it is the same as."""
         self.maps, self.named, self.same = set(maps), set(named), dict(same)
-        self.kinds, self.names = {}, {}
+        self.kinds, self.names, self.words = {}, {}, {}
 
     def add(self, value, place=''):
         """Adds a document, or a part of one."""
@@ -29,12 +29,15 @@ class Tree:
                 self.add(each, place + '[]')
         else:
             self.note(place, {bool: 'truth', int: 'number', float: 'number', str: 'text'}.get(type(value), 'null'))
+            if isinstance(value, str):
+                self.words.setdefault(place, set()).add(value)
 
     def add_object(self, value, place):
         if place in self.maps or place in self.named:
             self.note(place, 'map')
             if place in self.named:
                 self.names.setdefault(place, set()).update(value)
+            self.words.setdefault(place, set()).update(value)
             for each in value.values():
                 self.add(each, place + '{}')
             return

@@ -17,6 +17,7 @@ import lists
 import protocol
 import reports
 import sources
+import words
 
 REFERENCE = sources.ROOT / 'docs' / 'reference'
 
@@ -33,11 +34,13 @@ def collected(build):
     with tempfile.TemporaryDirectory(prefix='arbiter-interface-') as folder:
         runs = reports.Runs(arbiter, folder)
         documents, control = reports.collect(runs), protocol.collect(runs, build)
-    return {'options': options + commands.window(), 'exit codes': commands.exit_codes(helps),
-            'variables': sources.variables(), 'TOML': sources.toml_keys(), 'profiles': sources.profile_names(),
-            'panels': sources.panel_words(), 'identifiers': sources.identifiers(), 'JSON': documents,
-            'control': control, 'editors': installed.editors(), 'header': header,
-            'libraries': installed.symbols(build), 'files': installed.files(), 'packages': installed.packages()}
+    kinds = {'options': options + commands.window(), 'exit codes': commands.exit_codes(helps),
+             'variables': sources.variables(), 'TOML': sources.toml_keys(), 'profiles': sources.profile_names(),
+             'panels': sources.panel_words(), 'identifiers': sources.identifiers(), 'JSON': documents,
+             'control': control, 'editors': installed.editors(), 'header': header,
+             'libraries': installed.symbols(build), 'files': installed.files(), 'packages': installed.packages()}
+    words.style_of_entries(kinds)
+    return kinds
 
 
 def list_of(build, version=None):

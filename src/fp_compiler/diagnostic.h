@@ -15,7 +15,7 @@ enum class Severity : std::uint8_t { Error, Warning, Note };
 /// For an error of the whole program it is the text's length (3.11.2).
 struct Diagnostic {
   Severity severity = Severity::Error;
-  const char *id = ""; ///< stable, kebab-case: "undeclared-name"; listed in docs
+  const char *id = ""; ///< stable, kebab-case: "undeclared_name"; listed in docs
   Span span;
   std::string message; ///< one line, no full stop
   std::string hint;    ///< how to fix it; may be empty

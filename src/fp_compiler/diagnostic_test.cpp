@@ -29,18 +29,18 @@ TEST(Locate, EachLineEndCountsOnce) {
 }
 
 Diagnostic sample(Span span) {
-  return {Severity::Error, "undeclared-name", span, "'x' is not declared", "declare it"};
+  return {Severity::Error, "undeclared_name", span, "'x' is not declared", "declare it"};
 }
 
 TEST(Render, LineCaretAndHint) {
   const std::string text = "!!ARBfp1.0\r\nMOV\tfoo, 1;\r\nEND";
   EXPECT_EQ(render("a.fp", text, sample({16, 19})),
-            "a.fp:2:5: error: 'x' is not declared [undeclared-name]\n"
+            "a.fp:2:5: error: 'x' is not declared [undeclared_name]\n"
             "  MOV foo, 1;\n"
             "      ^~~\n"
             "  hint: declare it\n");
   EXPECT_EQ(renderLine("a.fp", text, sample({16, 19})),
-            "a.fp:2:5: error: 'x' is not declared [undeclared-name]");
+            "a.fp:2:5: error: 'x' is not declared [undeclared_name]");
 }
 
 TEST(Render, AllIsEachInTurn) {
@@ -56,7 +56,7 @@ TEST(Render, AllIsEachInTurn) {
 
 TEST(Render, TheEndOfTheText) {
   EXPECT_EQ(render("p", "END", sample({3, 3})),
-            "p:1:4: error: 'x' is not declared [undeclared-name]\n  END\n     ^\n"
+            "p:1:4: error: 'x' is not declared [undeclared_name]\n  END\n     ^\n"
             "  hint: declare it\n");
 }
 
@@ -75,7 +75,7 @@ TEST(DiagnosticIds, AreDistinctKebabCaseAndExplained) {
   std::set<std::string> seen;
   for (const DiagnosticInfo &row : diagnosticTable()) {
     EXPECT_TRUE(seen.insert(row.id).second) << row.id;
-    EXPECT_EQ(std::string(row.id).find_first_not_of("abcdefghijklmnopqrstuvwxyz-"),
+    EXPECT_EQ(std::string(row.id).find_first_not_of("abcdefghijklmnopqrstuvwxyz_"),
               std::string::npos);
     EXPECT_GT(std::string(row.meaning).size(), 10u) << row.id;
   }

@@ -64,7 +64,7 @@ TEST(FilePrograms, AProgramWithoutItsEndReachesToTheNextHeader) {
   ASSERT_EQ(programs.size(), 2u);
   const CheckResult result = checkIn(file, 0);
   ASSERT_EQ(result.diagnostics.size(), 1u);
-  EXPECT_STREQ(result.diagnostics[0].id, "end-missing");
+  EXPECT_STREQ(result.diagnostics[0].id, "end_missing");
   EXPECT_EQ(locate(file, result.diagnostics[0].span.begin).line, 3u);
 }
 
@@ -124,7 +124,7 @@ TEST(FilePrograms, GlRefusesAHeaderBehindSomething) {
   const CheckResult behind = checkIn("# why\n!!ARBfp1.0\nMOV result.color, 1;\nEND\n", 0);
   EXPECT_TRUE(behind.ok());
   ASSERT_EQ(behind.diagnostics.size(), 1u);
-  EXPECT_STREQ(behind.diagnostics[0].id, "header-behind");
+  EXPECT_STREQ(behind.diagnostics[0].id, "header_behind");
   EXPECT_EQ(behind.diagnostics[0].severity, Severity::Warning);
   EXPECT_EQ(behind.diagnostics[0].span, (Span{6, 16}));
   EXPECT_TRUE(checkIn(pair(), 0).diagnostics.empty()) << "a pair needs such a loader";

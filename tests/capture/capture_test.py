@@ -101,7 +101,7 @@ class Capture(Folder):
                          [f'program.local[{i}]' for i in range(3)])
 
     def test_who_drew_is_counted(self):
-        for backend, path in (('host', 'host-glsl'), ('swrast', 'rasterizer')):
+        for backend, path in (('host', 'host_glsl'), ('swrast', 'rasterizer')):
             folder = self.folder.parent / backend
             result = run(ARBITER, 'capture', '--backend', backend, '-o', folder, '--', LIGHTING,
                          '--headless', '--size', '32x32', '--frames', '3')
@@ -114,8 +114,8 @@ class Capture(Folder):
         shutil.copy(record, self.folder.parent / 'host' / ('process-2' + record.name[7:]))
         run(ARBITER, 'capture', '--index-only', '-o', self.folder.parent / 'host')
         program, = json.loads((self.folder.parent / 'host' / 'index.json').read_text())['programs']
-        self.assertEqual(program['draws_by'], {'host-glsl': 3, 'rasterizer': 3})
-        self.assertEqual(program['path'], 'host-glsl 3, rasterizer 3')
+        self.assertEqual(program['draws_by'], {'host_glsl': 3, 'rasterizer': 3})
+        self.assertEqual(program['path'], 'host_glsl 3, rasterizer 3')
 
     def test_parameters_are_those_of_the_last_draw(self):
         index = self.capture(TICKER, 'fragment', '3')
@@ -258,7 +258,7 @@ class Replace(Folder):
             self.put(name, WRONG)
             end = time.monotonic() + 20
             log = b''
-            while b'undeclared-name' not in log and time.monotonic() < end:
+            while b'undeclared_name' not in log and time.monotonic() < end:
                 if select.select([process.stderr], [], [], 0.1)[0]:
                     log += os.read(process.stderr.fileno(), 4096)
                 waits_for(b'', 0.05)
@@ -341,10 +341,10 @@ class States(Folder):
     KINDS = {
         'combiners': ('nv25', '.nvrc', b'!!RC1.0\n{\n  rgb {\n    spare0 = const0;\n  }\n  alpha {\n',
                       b'!!RC1.0\nconst0 = (1, 0, 0, 1);\nout.rgb = const0;\n'),
-        'texture-shaders': ('nv25', '.nvts', b'!!TS1.0\npass_through();\n!!RC1.0\n{\n  rgb {\n    spare0 = tex0;\n',
+        'texture_shaders': ('nv25', '.nvts', b'!!TS1.0\npass_through();\n!!RC1.0\n{\n  rgb {\n    spare0 = tex0;\n',
                             b'!!TS1.0\npass_through();\n!!RC1.0\nconst0 = (1, 0, 0, 1);\n'
                             b'{ rgb { spare0 = unsigned_invert(tex0); } }\nout.rgb = const0 * spare0;\n'),
-        'ati-fragment-api': ('r300', '.atifs',
+        'ati_fragment_api': ('r300', '.atifs',
                              b'!!ATIfs1.0\nStartConstants;\n  CONSTANT c0 = program.env[0];\nEndConstants;\n',
                              b'!!ATIfs1.0\nStartConstants; CONSTANT c0 = {1, 0, 0, 1}; EndConstants;\n'
                              b'StartOutputPass;\nMOV r0, c0;\nEndPass;\n'),

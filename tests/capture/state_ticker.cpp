@@ -2,7 +2,7 @@
 // shader made by ATI_fragment_shader's commands. It prints the color as "R G B" whenever it
 // changes, and reports queries that do not return what was set.
 //
-//   state_ticker [KIND [FRAMES]]     KIND: combiners, texture-shaders or ati-fragment-api
+//   state_ticker [KIND [FRAMES]]     KIND: combiners, texture_shaders or ati_fragment_api
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -72,14 +72,14 @@ bool isShaderAsSet() {
 const Kind kKinds[] = {
     {"combiners", [] { setCombiners(GL_CONSTANT_COLOR0_NV); }, setCombinerConstant,
      [] { return isAsSet(GL_CONSTANT_COLOR0_NV); }},
-    {"texture-shaders",
+    {"texture_shaders",
      [] {
        setCombiners(GL_TEXTURE0);
        glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, GL_PASS_THROUGH_NV);
        glEnable(GL_TEXTURE_SHADER_NV);
      },
      setCombinerConstant, [] { return isAsSet(GL_TEXTURE0); }},
-    {"ati-fragment-api", setShader, setShaderConstant, isShaderAsSet},
+    {"ati_fragment_api", setShader, setShaderConstant, isShaderAsSet},
 };
 
 bool offers(const Kind &kind) {

@@ -128,7 +128,7 @@ def need_statistics(path, draws=1):
     need(path.exists(), "the layer wrote no statistics")
     stats = json.loads(path.read_text())
     need(any(not p["error"] for p in stats["programs"]), "the layer saw no valid program")
-    drawn = sum(stats["draws"][path] for path in ("host-glsl", "host-assembly", "rasterizer"))
+    drawn = sum(stats["draws"][path] for path in ("host_glsl", "host_assembly", "rasterizer"))
     need(drawn >= draws, f"draws by the layer: {stats['draws']}")
     return stats
 

@@ -16,10 +16,10 @@ from controlled import ARBITER, PATIENCE, TICKER, Controlled
 KINDS = {
     'combiners': ('nv25', 0, '.nvrc', '!!RC1.0\n{\n  rgb {\n    spare0 = const0;\n',
                   '!!RC1.0\nconst0 = (1, 0, 0, 1);\nout.rgb = const0;\n', '255 255 255'),
-    'texture-shaders': ('nv25', 0, '.nvts', '!!TS1.0\npass_through();\n',
+    'texture_shaders': ('nv25', 0, '.nvts', '!!TS1.0\npass_through();\n',
                         '!!TS1.0\npass_through();\n!!RC1.0\nconst0 = (1, 0, 0, 1);\n'
                         '{ rgb { spare0 = unsigned_invert(tex0); } }\nout.rgb = const0 * spare0;\n', '0 0 0'),
-    'ati-fragment-api': ('r300', 1, '.atifs', '!!ATIfs1.0\nStartConstants;\n  CONSTANT c0 = program.env[0];\n',
+    'ati_fragment_api': ('r300', 1, '.atifs', '!!ATIfs1.0\nStartConstants;\n  CONSTANT c0 = program.env[0];\n',
                          '!!ATIfs1.0\nStartConstants; CONSTANT c0 = {1, 0, 0, 1}; EndConstants;\n'
                          'StartOutputPass;\nMOV r0, c0;\nEndPass;\n', '255 255 255'),
 }

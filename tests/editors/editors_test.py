@@ -126,7 +126,7 @@ class Vim(unittest.TestCase):
                                    f'cgetexpr {json.dumps(lines)}\n{show}')
         self.assertEqual([entry.split('|')[:4] for entry in found],
                          [['1', '2', '19', 'e'], ['1', '4', '1', 'w']])
-        self.assertIn('[undeclared-name]', found[0])
+        self.assertIn('[undeclared_name]', found[0])
         # This runs :make itself, with a name that a shell would split.
         awkward = self.folder / "a 'b.arbfp"
         shutil.copy(file, awkward)

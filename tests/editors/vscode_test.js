@@ -108,7 +108,7 @@ async function main() {
 
   // What was open before the server: its error with range, code and severity.
   const [error] = await diagnosticsOf('file:///early.fp', (list) => list.length === 1);
-  assert.strictEqual(error.code, 'undeclared-name');
+  assert.strictEqual(error.code, 'undeclared_name');
   assert.strictEqual(error.severity, 0);
   assert.deepStrictEqual(error.range, new Range(new Position(2, 18), new Position(2, 19)));
 
@@ -117,8 +117,8 @@ async function main() {
   early.version = 2;
   events.change({ document: early, contentChanges: [{ range: error.range, text: 'a' }] });
   const [warning] = await diagnosticsOf('file:///early.fp',
-    (list) => list.length === 1 && list[0].code !== 'undeclared-name');
-  assert.strictEqual(warning.code, 'unwritten-temporary');
+    (list) => list.length === 1 && list[0].code !== 'undeclared_name');
+  assert.strictEqual(warning.code, 'unwritten_temporary');
   assert.strictEqual(warning.severity, 1);
 
   // A text that is opened later, and is one the extension does not know.

@@ -91,7 +91,7 @@ TEST(Statistics, ProgramsAndDrawsAreInTheFile) {
   const std::string text = read(g_path);
   const std::string schema = "\"schema\": " + std::to_string(kStatisticsSchema);
   EXPECT_NE(text.find(schema), std::string::npos) << text;
-  EXPECT_NE(text.find("\"host-glsl\": 2"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"host_glsl\": 2"), std::string::npos) << text;
   EXPECT_NE(text.find("\"position\": 15"), std::string::npos) << text;
   EXPECT_NE(text.find("\"pixels\": 128"), std::string::npos) << text;
   EXPECT_NE(text.find("\"frames\": 1"), std::string::npos) << text;

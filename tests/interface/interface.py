@@ -21,6 +21,7 @@ import lists  # noqa: E402
 import reports  # noqa: E402
 import sources  # noqa: E402
 import trees  # noqa: E402
+import words  # noqa: E402
 import write  # noqa: E402
 
 
@@ -111,9 +112,9 @@ FAULTS = (
      'TOML: defaults: program.set.threads: is gone'),
     (take_choice('profiles', 'nv40', 'geforce6800'), 'profiles: nv40: has no longer geforce6800'),
     (remove('panels', 'setting: mesh'), 'panels: setting: mesh: is gone'),
-    (remove('identifiers', 'diagnostic undeclared-name'), 'identifiers: diagnostic undeclared-name: is gone'),
+    (remove('identifiers', 'diagnostic undeclared_name'), 'identifiers: diagnostic undeclared_name: is gone'),
     (change('JSON', 'check files[].bytes', type='text'), 'JSON: check files[].bytes: type: text, no longer number'),
-    (remove('JSON', 'statistics draws.host-glsl'), 'JSON: statistics draws.host-glsl: is gone'),
+    (remove('JSON', 'statistics draws.host_glsl'), 'JSON: statistics draws.host_glsl: is gone'),
     (take_choice('JSON', 'check files[].counts', 'temporaries'), 'check files[].counts: has no longer temporaries'),
     (remove('control', 'layer program.set'), 'control: layer program.set: is gone'),
     (change('control', 'protocol', value='2'), 'control: protocol: value: 2, no longer 1'),
@@ -149,6 +150,29 @@ HEADER = '''#define TWO 2
 typedef void (*ArbiterTold)(int what);
 int arbiterCount(const char *name);
 '''
+
+
+def style_faults():
+    """Returns complaints about the rules for words."""
+    complaints = []
+
+    def refused(rule, *arguments):
+        try:
+            rule(*arguments)
+        except sources.Broken as error:
+            return str(error)
+        return ''
+    for document in (*STYLES, TYPED):
+        tree = trees.Tree(maps={'map', 'set'})
+        tree.name = 'x'
+        tree.add(document)
+        if bool(refused(words.style_of, [tree])) != (document is not TYPED):
+            complaints.append(f'style: {document}')
+    entries = {'JSON': [], 'control': [], 'identifiers': []}
+    for kind, key in (('JSON', 'check files[].endLine'), ('control', 'layer stats > a-b'), ('identifiers', 'path a-b')):
+        if not refused(words.style_of_entries, {**entries, kind: [{'key': key, 'type': 'text'}]}):
+            complaints.append(f'style: {kind}: {key}')
+    return complaints
 
 
 def planted(released):
@@ -217,14 +241,29 @@ OTHERWISE = (
     ('s/; 3 valid but over/; 6 valid but over/', 'exit codes', 'exit codes: check: 3: is gone'),
     ('s/"bytes": \\([0-9]*\\)/"bytes": "\\1"/', 'JSON', 'JSON: check files[].bytes: type: text, no longer number'),
     ('s/"status"/"state"/', 'JSON', 'JSON: check files[].status: is gone'),
+    ('s/"over_native"/"over-native"/', 'JSON', '"over-native" is not in snake_case'),
+    ('s/"end_line"/"endLine"/', 'JSON', '"endLine" is not in snake_case'),
 )
+# Words of a document, each of which is refused, and some that users type, which are not.
+STYLES = ({'kind': 'two-words'}, {'kind': 'twoWords'}, {'kinds': ['right', 'two-words']}, {'map': {'two-words': 1}})
+TYPED = {'profile': 'r300-catalyst-2004', 'file': 'a-b', 'kind': 'Two-words, a text',
+         'set': {'key': 'x-y'}, 'hash': '09f3'}
+
+
+def entries_of_check(arbiter, folder):
+    """Returns the entries of the JSON of `arbiter check`, in which words have the style of all."""
+    tree = reports.checks(reports.Runs(arbiter, folder))[0]
+    words.style_of([tree])
+    entries = tree.entries('check')
+    words.style_of_entries({'JSON': entries, 'control': [], 'identifiers': []})
+    return entries
 
 
 def collected_otherwise(arbiter, folder):
     """Returns for each kind how it is collected from a command that stands before the built one."""
     return {'options': lambda: commands.options(str(arbiter))[0] + commands.window(),
             'exit codes': lambda: commands.exit_codes(commands.options(str(arbiter))[1]),
-            'JSON': lambda: reports.checks(reports.Runs(arbiter, folder))[0].entries('check')}
+            'JSON': lambda: entries_of_check(arbiter, folder)}
 
 
 def otherwise_faults(build, released):
@@ -259,10 +298,10 @@ def symbol_faults(build, folder):
 def self_test(build):
     """Plants a fault of each kind. Returns the exit code."""
     released = lists.published()[0]
-    complaints = planted(released) + header_faults() + reader_faults(released) + otherwise_faults(build, released)
+    complaints = planted(released) + header_faults() + style_faults() + reader_faults(released) + otherwise_faults(build, released)
     for complaint in complaints:
         print(complaint)
-    print(f'{len(FAULTS) + len(OTHERWISE)} faults and {len(ALLOWED)} allowed changes planted, '
+    print(f'{len(FAULTS) + len(OTHERWISE) + len(STYLES)} faults and {len(ALLOWED)} allowed changes planted, '
           f'{len(complaints)} complaints')
     return 1 if complaints else 0
 

@@ -44,7 +44,7 @@ def figures_of(build, what, count, display, folder, backend=None):
 def wrong_of_long(statistics):
     """Checks that machine code is not waited for: the host draws with the program."""
     wrong = []
-    if not statistics.get("given_to_host", {}).get("not-compiled"):
+    if not statistics.get("given_to_host", {}).get("not_compiled"):
         wrong.append("the host did not draw with the long program")
     waited = statistics.get("machine_code", {}).get("compile_microseconds", 0)
     if waited > WAIT_US:

@@ -67,7 +67,7 @@ class Case:
         need(len(reports[0]["programs"]) >= 2, "programs are missing")
         need(reports[0]["contexts"] and reports[0]["contexts"][0]["offered"], "the context is missing")
         need(reports[0]["frames"] >= 1, "no frame is counted")
-        need(sum(reports[0]["draws"][k] for k in ("host-glsl", "host-assembly", "rasterizer")) >= reports[0]["frames"],
+        need(sum(reports[0]["draws"][k] for k in ("host_glsl", "host_assembly", "rasterizer")) >= reports[0]["frames"],
              "draws are missing")
         need("front of" in self.log.read_text(), "the log is missing")
         return reports[0]

@@ -28,7 +28,7 @@ MOVED = {"cleared": (2, 48), "kept": (2, 48), "within-frames": (2, 96), "again":
 # for the rasterizer.
 LEFT_FRAMES, LEFT_DRAWS = 1300, 4
 REFUSED = counted("given_to_host.target", lambda run: (1, LEFT_DRAWS * LEFT_FRAMES // 2))
-MIXED = counted("given_to_host.mixed-frame", lambda run: (0, LEFT_DRAWS * LEFT_FRAMES // 2))
+MIXED = counted("given_to_host.mixed_frame", lambda run: (0, LEFT_DRAWS * LEFT_FRAMES // 2))
 # A start that finds its machine code: the rasterizer's frames may be over before a busy machine has loaded it.
 SOME = counted("drawn", lambda run: (LEFT_DRAWS, math.inf))
 # Late machine code arrives while frames pause, for 40 ms; the passes of a frame must meet nevertheless.

@@ -64,9 +64,9 @@ def summarise(stats: list[dict]) -> dict:
     return {
         "programs": sum(1 for p in programs if not p.get("error")),
         "failed_programs": sum(1 for p in programs if p.get("error")),
-        "draws_programs": draws("host-glsl") + draws("host-assembly") + draws("rasterizer"),
+        "draws_programs": draws("host_glsl") + draws("host_assembly") + draws("rasterizer"),
         "draws_rasterizer": draws("rasterizer"),
-        "draws_recorded": draws("recorded-in-list"),
+        "draws_recorded": draws("recorded_in_list"),
         "draws_untouched": draws("host_untouched"),
         "draws_dropped": draws("dropped"),
         "reasons": dict(reasons),

@@ -82,11 +82,11 @@ class Evidence(unittest.TestCase):
 
     def test_statistics_of_all_processes_count(self):
         good = {"target": "fragment", "error": None}
-        stats = [{}, {"programs": [good, {"target": "vertex"}], "draws": {"host-glsl": 3}},
-                 {"programs": [good], "draws": {"host-glsl": 1, "reasons": {"no-program": 2}}}]
+        stats = [{}, {"programs": [good, {"target": "vertex"}], "draws": {"host_glsl": 3}},
+                 {"programs": [good], "draws": {"host_glsl": 1, "reasons": {"no_program": 2}}}]
         summary = evidence.summarise(stats)
         self.assertEqual((summary["programs"], summary["draws_programs"]), (2, 4))
-        self.assertEqual(summary["reasons"], {"no-program": 2})
+        self.assertEqual(summary["reasons"], {"no_program": 2})
         self.assertEqual(evidence.problems(summary, 2), [])
         self.assertEqual(len(evidence.problems(summary, 3)), 1)
 
@@ -95,14 +95,14 @@ class Evidence(unittest.TestCase):
 
     def test_a_dropped_draw_is_a_problem(self):
         stats = [{"programs": [{"target": "fragment"}],
-                  "draws": {"host-glsl": 1, "dropped": 1, "reasons": {"host-refused": 1}}}]
+                  "draws": {"host_glsl": 1, "dropped": 1, "reasons": {"host_refused": 1}}}]
         found = evidence.problems(evidence.summarise(stats), 1)
         self.assertEqual(len(found), 1)
-        self.assertIn("host-refused", found[0])
+        self.assertIn("host_refused", found[0])
 
     def test_a_refused_program_is_a_problem(self):
         stats = [{"programs": [{"target": "fragment"}, {"target": "fragment", "error": "line 1"}],
-                  "draws": {"host-glsl": 1}}]
+                  "draws": {"host_glsl": 1}}]
         self.assertEqual(len(evidence.problems(evidence.summarise(stats), 1)), 1)
 
 

@@ -65,7 +65,7 @@ def drawn(folder: Path, command: list, setting: dict[str, str]) -> picture.Pictu
 def problem(bare: picture.Picture, layer: picture.Picture, stats: list[dict], least: int) -> str:
     """Returns what is wrong; empty if nothing is."""
     programs = sum(not program["error"] for one in stats for program in one["programs"])
-    draws = sum(one["draws"][path] for one in stats for path in ("host-glsl", "host-assembly", "rasterizer"))
+    draws = sum(one["draws"][path] for one in stats for path in ("host_glsl", "host_assembly", "rasterizer"))
     apart = picture.compare(bare, layer)
     if bare.is_blank():
         return "bare Wine draws nothing"

@@ -73,7 +73,7 @@ class Content(Folder):
         page, twin = self.report(self.put_set())
         self.assertEqual(page.problems(), [])
         self.assertEqual(twin['schema'], 1)
-        self.assertEqual(twin['summary'], {'programs': 11, 'valid': 10, 'fit': 9, 'do_not_fit': 1,
+        self.assertEqual(twin['summary'], {'programs': 11, 'valid': 9, 'over_native': 1,
                                            'invalid': 1, 'unreadable': 0})
         names = [program['name'] for program in twin['programs']]
         self.assertEqual(names[-3:], ['demos/twirl.fp', 'header only', 'hostile <b>&.fp'])

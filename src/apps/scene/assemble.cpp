@@ -42,7 +42,7 @@ public:
     const std::vector<Name> further = m_document.panel().then;
     for (const Name &name : further) {
       if (m_document.passes.size() == kMaxPasses) {
-        complain(m_document.files[0], name.span, "panel-range", "a document has at most 16 passes");
+        complain(m_document.files[0], name.span, "panel_range", "a document has at most 16 passes");
         return;
       }
       if (const int file = add(0, name); file >= 0)
@@ -66,7 +66,7 @@ private:
       fault = profile.error().message;
     if (fault.empty())
       return;
-    complain(main, name.span, "panel-file", std::move(fault),
+    complain(main, name.span, "panel_file", std::move(fault),
              "arbiter profiles NAME prints a profile to begin from");
     name = {};
   }
@@ -79,7 +79,7 @@ private:
         return int(i);
     auto text = m_read(path);
     if (!text) {
-      complain(m_document.files[std::size_t(from)], name.span, "panel-file", text.error().message,
+      complain(m_document.files[std::size_t(from)], name.span, "panel_file", text.error().message,
                "files of a document lie beside it");
       return -1;
     }
@@ -118,7 +118,7 @@ private:
         file = sibling;
     if (file < 0 || m_document.files[std::size_t(file)].language == Language::ArbVertex)
       return file;
-    complain(m_document.files[std::size_t(from)], name.span, "panel-file",
+    complain(m_document.files[std::size_t(from)], name.span, "panel_file",
              name.text + " is no vertex program", "its text begins with !!ARBvp1.0");
     return -1;
   }
@@ -160,7 +160,7 @@ private:
         continue;
       exists(file, name);
       if (file.panel.target && file.panel.target->name.text == name.text)
-        complain(file, name.span, "panel-target", "the pass reads the target that it draws to",
+        complain(file, name.span, "panel_target", "the pass reads the target that it draws to",
                  "'feedback' reads the last frame's picture");
     }
     for (const Parameter &parameter : file.panel.parameters)
@@ -168,18 +168,18 @@ private:
         exists(file, parameter.target);
     if (file.panel.target && file.panel.state.stencil &&
         file.panel.state.stencil->value != Stencil::Off)
-      complain(file, file.panel.state.stencil->span, "panel-target",
+      complain(file, file.panel.state.stencil->span, "panel_target",
                "a target has no stencil buffer", "only passes that draw the picture can use one");
     if (const auto &own = file.panel.target)
       if (const Target *other = find(own->name.text);
           other != nullptr &&
           (other->width.value != own->width.value || other->height.value != own->height.value))
-        complain(file, own->name.span, "panel-target", "this target has another size elsewhere");
+        complain(file, own->name.span, "panel_target", "this target has another size elsewhere");
   }
 
   void exists(ProgramFile &file, const Name &name) {
     if (find(name.text) == nullptr)
-      complain(file, name.span, "panel-target", "no pass draws into a target '" + name.text + "'",
+      complain(file, name.span, "panel_target", "no pass draws into a target '" + name.text + "'",
                known());
   }
 

@@ -36,7 +36,7 @@ std::string mainOf(const fs::path &folder) {
 
 bool lacksTarget(const Panel &panel) {
   return std::any_of(panel.diagnostics.begin(), panel.diagnostics.end(),
-                     [](const auto &each) { return std::string_view(each.id) == "panel-target"; });
+                     [](const auto &each) { return std::string_view(each.id) == "panel_target"; });
 }
 
 /// Reports images and meshes that do not exist. Their content is read when they are drawn.
@@ -70,7 +70,7 @@ private:
         m_panel.diagnostics.size() >= kMaxPanelDiagnostics)
       return;
     m_panel.diagnostics.push_back(
-        {fp::Severity::Error, "panel-file", file.span,
+        {fp::Severity::Error, "panel_file", file.span,
          (m_folder / file.text).string() + ": " + (error ? error.message() : "is no regular file"),
          "files of a document lie beside it"});
   }

@@ -24,11 +24,11 @@ using Json = nlohmann::json;
 constexpr CaptureTarget kTargets[] = {
     {"fragment", ".fp", fp::ir::Language::ArbFragment},
     {"vertex", ".vp", fp::ir::Language::ArbVertex},
-    {"ati-fragment", ".atifs", fp::ir::Language::AtiFragment},
-    {"ati-fragment-api", ".atifs", fp::ir::Language::AtiFragment},
+    {"ati_fragment", ".atifs", fp::ir::Language::AtiFragment},
+    {"ati_fragment_api", ".atifs", fp::ir::Language::AtiFragment},
     {"combiners", ".nvrc", fp::ir::Language::Combiners},
-    {"texture-shaders", ".nvts", fp::ir::Language::TextureShaders},
-    {"vertex-state", ".vsp", fp::ir::Language::ArbVertex}, // the header decides
+    {"texture_shaders", ".nvts", fp::ir::Language::TextureShaders},
+    {"vertex_state", ".vsp", fp::ir::Language::ArbVertex}, // the header decides
 };
 
 using Programs = std::map<std::string, CapturedProgram>; ///< by file name

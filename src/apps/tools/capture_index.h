@@ -60,7 +60,7 @@ struct CapturedProgram {
   [[nodiscard]] std::string file() const { return hash + target->extension; }
   [[nodiscard]] bool valid() const { return counted; }
   /// Returns the path of its draws. Several paths come with their numbers, most draws first:
-  /// "rasterizer 120, host-glsl 3".
+  /// "rasterizer 120, host_glsl 3".
   [[nodiscard]] std::string path() const;
 };
 

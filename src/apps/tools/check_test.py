@@ -159,8 +159,8 @@ class Many(Temporary):
         self.assertEqual(result.returncode, 2)
         self.assertEqual(result.stderr, '')
         self.assertEqual(result.stdout, '''\
-./a.fp:2:19: error: 'q' is not declared [undeclared-name]
-./b/B.fp:67:1: error: more than 64 ALU instructions, the limit of ATI Radeon 9700 (r300) [limit-alu-instructions]
+./a.fp:2:19: error: 'q' is not declared [undeclared_name]
+./b/B.fp:67:1: error: more than 64 ALU instructions, the limit of ATI Radeon 9700 (r300) [limit_alu_instructions]
 5 files under r300: 3 valid, 2 invalid
 ''' + result.stdout[result.stdout.index('the fullest'):])
         self.assertIn('the fullest of 1 ARBvp1.0 program:\n', result.stdout)
@@ -192,10 +192,10 @@ do not fit:
         result = check(doubtful)
         self.assertEqual(result.returncode, 0)
         self.assertIn(f'{doubtful}: valid, within', result.stdout)
-        self.assertIn(f"{doubtful}:3:19: warning: 'a' is read before anything writes it [unwritten-temporary]\n",
+        self.assertIn(f"{doubtful}:3:19: warning: 'a' is read before anything writes it [unwritten_temporary]\n",
                       result.stdout)
         [found] = json.loads(check('--json', doubtful).stdout)['files'][0]['diagnostics']
-        self.assertEqual((found['severity'], found['id']), ('warning', 'unwritten-temporary'))
+        self.assertEqual((found['severity'], found['id']), ('warning', 'unwritten_temporary'))
         for program in (GOOD, VERTEX):
             self.assertNotIn('warning', check(self.path('b.fp', program)).stdout)
 
@@ -417,7 +417,7 @@ class Compare(Temporary):
         document = json.loads(check(*words, '--json').stdout)
         self.assertEqual([file['profile'] for file in document['files']],
                          ['r300-catalyst-2004', 'nv30'])
-        self.assertEqual([file['status'] for file in document['files']], ['over-native', 'valid'])
+        self.assertEqual([file['status'] for file in document['files']], ['over_native', 'valid'])
 
     def test_the_file_after_the_change_decides(self):
         long, short, bad = self.path('long.fp', alu(70)), self.path('short.fp', GOOD), self.path('bad.fp', BAD)
@@ -429,7 +429,7 @@ class Compare(Temporary):
     def test_a_side_without_counts(self):
         result = check('--compare', self.path('a.fp', GOOD), self.path('b.fp', BAD))
         self.assertEqual(result.returncode, 2)
-        self.assertIn("b.fp:2:19: error: 'q' is not declared [undeclared-name]\n", result.stdout)
+        self.assertIn("b.fp:2:19: error: 'q' is not declared [undeclared_name]\n", result.stdout)
         self.assertTrue(result.stdout.endswith('b.fp: invalid under r300\n'))
         document = json.loads(check('--compare', '--json', self.folder / 'a.fp',
                                     self.folder / 'none').stdout)

@@ -45,14 +45,14 @@ class Check(Temporary):
         self.assertEqual(arbiter('check', '--profile', 'r300', *files).returncode, 2)
         refused = arbiter('check', '--brief', '--profile', 'nv40', '-', text='!!FP2.0\nEND\n')
         self.assertEqual(refused.stdout, "<stdin>:1:5: error: there is no language '!!FP2.0' "
-                                         '[native-header]\n')
+                                         '[native_header]\n')
 
     def test_a_language_may_be_demanded(self):
         self.assertEqual(arbiter('check', '--language', 'arbvp', '-', text=VERTEX).returncode, 0)
         result = arbiter('check', '--brief', '--language', 'arbfp', '-', text=VERTEX)
         self.assertEqual(result.returncode, 2)
         self.assertEqual(result.stdout, '<stdin>:1:6: error: the header !!ARBfp1.0 is missing '
-                                        '[header-missing]\n')
+                                        '[header_missing]\n')
         self.assertEqual(arbiter('check', '--language', 'cg', '-', text=VERTEX).returncode, 1)
 
     def test_another_language_is_told_what_it_is(self):
@@ -65,7 +65,7 @@ class Check(Temporary):
                            (picture, 'a PNG picture')):
             path = self.path('text.fp')
             path.write_bytes(text if isinstance(text, bytes) else text.encode())
-            said = f'{path}:1:1: error: this is {kind}, which Arbiter does not read [header-missing]\n'
+            said = f'{path}:1:1: error: this is {kind}, which Arbiter does not read [header_missing]\n'
             result = arbiter('check', '--brief', path)
             self.assertEqual((result.returncode, result.stdout), (2, said))
             self.assertTrue(arbiter('compile', path).stderr.startswith(said))
@@ -78,7 +78,7 @@ class Check(Temporary):
         result = arbiter('check', '--brief', path)
         self.assertEqual(result.returncode, 2)
         self.assertEqual(result.stdout,
-                         f"{path}:3:19: error: 'q' is not declared [undeclared-name]\n")
+                         f"{path}:3:19: error: 'q' is not declared [undeclared_name]\n")
 
     def test_caret_under_the_first_wrong_byte(self):
         lines = arbiter('check', '-', text=BAD).stdout.splitlines()
@@ -108,12 +108,12 @@ class Check(Temporary):
         self.assertEqual(arbiter('check', '-', text=alu(64)).returncode, 0)
         result = arbiter('check', '--brief', '-', text=alu(65))
         self.assertEqual(result.returncode, 2)
-        self.assertRegex(result.stdout, r'error: .* \[limit-alu-instructions\]\n')
+        self.assertRegex(result.stdout, r'error: .* \[limit_alu_instructions\]\n')
         # The compiler merges both moves away, so that a program above the API limit fits the chip.
         result = arbiter('check', '--limits', 'report', '-', text=alu(65))
         self.assertEqual(result.returncode, 0)
         self.assertEqual(arbiter('check', '--limits', 'report', '-', text=alu(67)).returncode, 3)
-        self.assertRegex(result.stdout, r'warning: .* \[limit-alu-instructions\]\n')
+        self.assertRegex(result.stdout, r'warning: .* \[limit_alu_instructions\]\n')
         self.assertIn('over the API limit', result.stdout)
         self.assertEqual(arbiter('check', '--profile', 'host', '-', text=alu(65)).returncode, 0)
 
@@ -140,7 +140,7 @@ class Check(Temporary):
         self.assertEqual(arbiter('check', beside).returncode, 0)
         broken = arbiter('check', '--brief', self.path('b.fp', long_one.replace('nv30', 'no.toml')))
         self.assertEqual(broken.returncode, 2)
-        self.assertRegex(broken.stdout, r'b\.fp:2:12: error: .*no\.toml.*\[panel-file\]')
+        self.assertRegex(broken.stdout, r'b\.fp:2:12: error: .*no\.toml.*\[panel_file\]')
 
     def test_profile_from_environment_and_file(self):
         self.assertIn('limits of i915', arbiter('check', '-', text=GOOD,
@@ -179,7 +179,7 @@ class Check(Temporary):
         diagnostic = bad['diagnostics'][0]
         offset = BAD.index('q;')
         self.assertEqual(bad['error_position'], offset)
-        self.assertEqual(diagnostic['id'], 'undeclared-name')
+        self.assertEqual(diagnostic['id'], 'undeclared_name')
         self.assertEqual(diagnostic['offset'], offset)
         self.assertEqual(diagnostic['range'], {'begin': offset, 'end': offset + 1, 'line': 3,
                                                'column': 19, 'end_line': 3, 'end_column': 20})
@@ -198,7 +198,7 @@ class Check(Temporary):
     def test_large_inputs(self):
         result = arbiter('check', '--brief', '-', text='!!ARBfp1.0\n#' + 'x' * (2 << 20) + '\nEND')
         self.assertEqual(result.returncode, 2)
-        self.assertIn('[text-too-long]', result.stdout)
+        self.assertIn('[text_too_long]', result.stdout)
 
     def test_life_programs_cost_what_they_should(self):
         result = arbiter('check', '--json', PROGRAMS / 'life_naive.fp', PROGRAMS / 'life_packed.fp')

@@ -237,10 +237,10 @@ class Check(Temporary):
         result = arbiter('check', document)
         self.assertEqual(result.returncode, 2, result.stdout)
         self.assertIn('a.fp:2:20: warning: ', result.stdout)
-        self.assertIn('a.fp:3:23: error: more numbers than components [panel-syntax]', result.stdout)
+        self.assertIn('a.fp:3:23: error: more numbers than components [panel_syntax]', result.stdout)
         found = json.loads(arbiter('check', '--json', document).stdout)['files'][0]
         self.assertEqual(found['status'], 'invalid')
-        self.assertEqual([each['id'] for each in found['diagnostics']], ['panel-word', 'panel-syntax'])
+        self.assertEqual([each['id'] for each in found['diagnostics']], ['panel_word', 'panel_syntax'])
 
     def test_files_beside_are_looked_for(self):
         document = self.path('a.fp', SHOW.format('#@ then b.fp'))
@@ -253,8 +253,8 @@ class Check(Temporary):
                                                    '#@ texture 0 = normals strength 1 of none.png'))
         result = arbiter('check', document)
         self.assertEqual(result.returncode, 2)
-        self.assertRegex(result.stdout, r'a\.fp:2:27: error: .*/none\.obj: .*\[panel-file\]')
-        self.assertRegex(result.stdout, r'a\.fp:3:38: error: .*/none\.png: .*\[panel-file\]')
+        self.assertRegex(result.stdout, r'a\.fp:2:27: error: .*/none\.obj: .*\[panel_file\]')
+        self.assertRegex(result.stdout, r'a\.fp:3:38: error: .*/none\.png: .*\[panel_file\]')
 
     def test_a_part_is_checked_with_its_document(self):
         part = self.path('part.fp', SAMPLE.format('#@ texture 0 = picture drawn, vertex part.vp'))

@@ -283,7 +283,7 @@ class Layered(Draw):
             seen = json.loads(stats.read_text())
             header = (ROOT / 'include' / 'GL' / 'arbiter.h').read_text()
             self.assertIn(f'ARBITER_STATS_SCHEMA {seen["schema"]}\n', header)
-            drawn = [seen['draws'][path] for path in ('host-glsl', 'host-assembly', 'rasterizer')]
+            drawn = [seen['draws'][path] for path in ('host_glsl', 'host_assembly', 'rasterizer')]
             self.assertEqual(sum(drawn), 1)
             checked = json.loads(arbiter('check', '--json', '-', text=text).stdout)['files'][0]
             loaded = seen['programs'][0]

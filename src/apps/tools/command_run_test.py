@@ -163,27 +163,27 @@ class Run(Temporary):
             'software': {'given_to_host': given or {}}}))
 
     def test_statistics_of_several_files_end_with_a_sum(self):
-        self.statistics('s-1.json', 'game', 3, draws={'host-glsl': 2, 'rasterizer': 9, 'reasons': {'no-program': 5}},
-                        given={'not-compiled': 2})
+        self.statistics('s-1.json', 'game', 3, draws={'host_glsl': 2, 'rasterizer': 9, 'reasons': {'no_program': 5}},
+                        given={'not_compiled': 2})
         refused = {'text': '', 'refused_by_profile': {'reason': 'long', 'remedy': ''}}
-        self.statistics('s-2.json', 'tool', draws={'host-glsl': 1}, given={'not-compiled': 1, 'look': 9},
+        self.statistics('s-2.json', 'tool', draws={'host_glsl': 1}, given={'not_compiled': 1, 'look': 9},
                         errors=(None, refused))
-        self.statistics('s-2.json.77', 'child', draws={'recorded-in-list': 1})
+        self.statistics('s-2.json.77', 'child', draws={'recorded_in_list': 1})
         self.statistics('other.json', 'other')
         pattern = self.path('s-%p.json')
         self.assertEqual(arbiter('stats', pattern).stdout.splitlines(), [
-            's-1.json (game): frames 3  programs 1  rasterizer 9  no-program 5  host-glsl 2',
-            's-2.json (tool): frames 1  programs 2  refused 1  host-glsl 1',
-            's-2.json.77 (child): frames 1  programs 1  recorded-in-list 1',
-            'sum of 3: frames 5  programs 4  refused 1  rasterizer 9  no-program 5  host-glsl 3  recorded-in-list 1',
-            'given to the host: look 9  not-compiled 3'])
+            's-1.json (game): frames 3  programs 1  rasterizer 9  no_program 5  host_glsl 2',
+            's-2.json (tool): frames 1  programs 2  refused 1  host_glsl 1',
+            's-2.json.77 (child): frames 1  programs 1  recorded_in_list 1',
+            'sum of 3: frames 5  programs 4  refused 1  rasterizer 9  no_program 5  host_glsl 3  recorded_in_list 1',
+            'given to the host: look 9  not_compiled 3'])
         twice = json.loads(arbiter('stats', '--json', self.path('s-1.json'), pattern).stdout)
         self.assertEqual([[each['program'] for each in of['reports']] for of in twice['files']],
                          [['game'], ['tool', 'child']])
         self.assertEqual(twice['sum'], {
             'files': 3, 'contexts': 3, 'frames': 5, 'programs': 4, 'over_native': 0, 'refused': 1,
-            'draws': {'host-glsl': 3, 'no-program': 5, 'rasterizer': 9, 'recorded-in-list': 1},
-            'given_to_host': {'look': 9, 'not-compiled': 3}})
+            'draws': {'host_glsl': 3, 'no_program': 5, 'rasterizer': 9, 'recorded_in_list': 1},
+            'given_to_host': {'look': 9, 'not_compiled': 3}})
         seen = arbiter('stats', self.path('other.json'), self.path('none.json'))
         self.assertEqual((seen.returncode, len(seen.stdout.splitlines())), (0, 1))
         self.assertIn(f'no statistics in {self.path("none.json")}', seen.stderr)
@@ -193,7 +193,7 @@ class Run(Temporary):
     def test_statistics_of_the_earlier_schema_have_the_words_of_today(self):
         self.statistics('old.json', 'game', schema=2, draws={'host_glsl': 2, 'host_assembly': 3, 'recorded': 4})
         self.assertEqual(json.loads(arbiter('stats', '--json', self.path('old.json')).stdout)['sum']['draws'],
-                         {'host-assembly': 3, 'host-glsl': 2, 'recorded-in-list': 4})
+                         {'host_assembly': 3, 'host_glsl': 2, 'recorded_in_list': 4})
 
     def test_files_that_are_no_statistics_are_named(self):
         self.statistics('good.json', 'game')

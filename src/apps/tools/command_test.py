@@ -113,7 +113,7 @@ class Compile(Temporary):
         result = arbiter('compile', '--json', '-', text=BAD)
         program, = json.loads(result.stdout)['programs']
         self.assertEqual((result.returncode, result.stderr, program['valid']), (2, '', False))
-        self.assertEqual([each['id'] for each in program['diagnostics']], ['undeclared-name'])
+        self.assertEqual([each['id'] for each in program['diagnostics']], ['undeclared_name'])
         both = json.loads(arbiter('compile', '--json', '-', text=GOOD + VERTEX).stdout)
         self.assertEqual([(each['language'], each['line']) for each in both['programs']],
                          [('ARBfp1.0', 1), ('ARBvp1.0', 4)])

@@ -172,7 +172,7 @@ std::string asJson(std::string_view text, const CompileArguments &arguments,
     json.beginObject();
     json.key("language").value(languageTitle(each.program.language, each.program.in(text)));
     json.key("line").value(fp::locate(text, each.program.span.begin).line);
-    json.key("valid").value(each.code == kExitOk);
+    json.key("status").value(name(each.code == kExitOk ? FileStatus::Valid : FileStatus::Invalid));
     writeDiagnostics(json, text, each.diagnostics);
     json.key("text").value(each.text).endObject();
   }

@@ -45,7 +45,7 @@ class Verbs(Temporary):
         path = self.path('bump.vfp', PAIR.replace('MOV result.color, t', 'MOV result.color, q'))
         seen = arbiter('check', path)
         self.assertEqual(seen.returncode, 2)
-        self.assertIn(f"{path}:16:19: error: 'q' is not declared [undeclared-name]\n"
+        self.assertIn(f"{path}:16:19: error: 'q' is not declared [undeclared_name]\n"
                       '  MOV result.color, q;\n', seen.stdout)
         files = json.loads(arbiter('check', '--json', path).stdout)['files']
         self.assertEqual([(file['language'], file['line'], file['status']) for file in files],
@@ -68,7 +68,7 @@ class Verbs(Temporary):
         seen = arbiter('check', path)
         self.assertEqual(seen.returncode, 0)
         self.assertIn(f'{path}:3:1: warning: the header is there, but not at the first byte '
-                      '[header-behind]\n', seen.stdout)
+                      '[header_behind]\n', seen.stdout)
         self.assertIn(f'{path}: valid, within', seen.stdout)
 
     def test_a_folder_has_what_its_texts_are(self):

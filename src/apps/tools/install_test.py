@@ -51,7 +51,7 @@ class Installed(unittest.TestCase):
                     '0=checker', '--stats', stats, program, '-o', picture)
         self.assertTrue(picture.read_bytes().startswith(b'\x89PNG'))
         draws = json.loads(stats.read_text())['draws']
-        self.assertEqual(draws['host-glsl'] + draws['host-assembly'] + draws['rasterizer'], 1)
+        self.assertEqual(draws['host_glsl'] + draws['host_assembly'] + draws['rasterizer'], 1)
 
     def test_the_gallery_is_there_and_known_by_name(self):
         folder = self.prefix / 'share' / 'arbiter' / 'gallery'

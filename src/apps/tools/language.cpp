@@ -18,7 +18,7 @@ constexpr LanguageRow kLanguages[] = {
 };
 static_assert(std::size(kLanguages) == kLanguageCount);
 
-constexpr std::string_view kLimitId = "limit-"; ///< prefix of the diagnostics of API limits
+constexpr std::string_view kLimitId = "limit_"; ///< prefix of the diagnostics of API limits
 } // namespace
 
 std::span<const LanguageRow> languageRows() { return kLanguages; }

@@ -58,7 +58,7 @@ inline constexpr std::size_t kLanguageCount = 5;
 [[nodiscard]] std::string_view lackOf(const fp::Limits &limits, fp::ir::Language language);
 /// True for a diagnostic of an API limit. A card without such programs has no such limit.
 [[nodiscard]] bool isOfLimit(const fp::Diagnostic &diagnostic);
-/// Returns the resource of such a diagnostic: "limit-alu-instructions" is "alu_instructions". Null
+/// Returns the resource of such a diagnostic: "limit_alu_instructions" is "alu_instructions". Null
 /// if the limit is of no resource that is listed.
 [[nodiscard]] const fp::ResourceRow *limitedRow(const fp::Diagnostic &diagnostic);
 

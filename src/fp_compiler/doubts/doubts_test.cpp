@@ -47,19 +47,19 @@ std::string option(const std::string &name, const std::string &statements) {
 
 TEST(Unwritten, TemporariesAreNamedOnceWhereTheyAreReadFirst) {
   EXPECT_EQ(fragment("ADD result.color, r, s;\nMUL result.depth.z, r.x, s.x;"),
-            "3: unwritten-temporary: 'r' is read before anything writes it\n"
-            "3: unwritten-temporary: 's' is read before anything writes it\n");
+            "3: unwritten_temporary: 'r' is read before anything writes it\n"
+            "3: unwritten_temporary: 's' is read before anything writes it\n");
   EXPECT_EQ(fragment("MUL result.color, r, 2.0;\nMOV r, 1.0;\nMOV result.depth.z, r.x;"),
-            "3: unwritten-temporary: 'r' is read before anything writes it\n");
+            "3: unwritten_temporary: 'r' is read before anything writes it\n");
   EXPECT_EQ(fragment("ADD r, r, 1.0;\nMOV result.color, r;"),
-            "3: unwritten-temporary: 'r' is read before anything writes it\n");
+            "3: unwritten_temporary: 'r' is read before anything writes it\n");
   EXPECT_EQ(fragment("MOV result.color, 1.0;\nKIL r.x;"),
-            "4: unwritten-temporary: 'r' is read before anything writes it\n");
+            "4: unwritten_temporary: 'r' is read before anything writes it\n");
 }
 
 TEST(Unwritten, ComponentsCountAlone) {
   EXPECT_EQ(fragment("MOV r.xyz, 1.0;\nMUL result.color, r, 2.0;"),
-            "4: unwritten-temporary: 'r.w' is read before anything writes it\n");
+            "4: unwritten_temporary: 'r.w' is read before anything writes it\n");
   EXPECT_EQ(fragment("MOV r.xy, 1.0;\nTEX result.color, r, texture[0], 2D;"), "");
   EXPECT_EQ(fragment("MOV r.xyz, 1.0;\nMUL s, r, 2.0;\nDP3 result.color, s, s;"), "")
       << "s.w reaches no result";
@@ -72,15 +72,15 @@ TEST(Unwritten, ComponentsCountAlone) {
 
 TEST(Unwritten, ResultsAreToldAtTheHeader) {
   EXPECT_EQ(fragment("MOV r, 1.0;\nMOV s, r;"),
-            "1: unwritten-result: nothing writes result.color, so the fragment's colour is "
+            "1: unwritten_result: nothing writes result.color, so the fragment's colour is "
             "undefined\n")
       << "that the writes are unused follows from it";
   EXPECT_EQ(fragment("MOV result.depth.z, 1.0;"), "");
   EXPECT_EQ(fragment("KIL fragment.color;"), "") << "it may draw to a depth buffer alone";
   EXPECT_EQ(doubts("!!ARBvp1.0\nMOV result.color, vertex.color;\nEND\n"),
-            "1: unwritten-result: nothing writes result.position\n");
+            "1: unwritten_result: nothing writes result.position\n");
   EXPECT_EQ(doubts("!!ARBvp1.0\nMOV result.position.xyz, vertex.position;\nEND\n"),
-            "1: unwritten-result: nothing writes result.position.w\n");
+            "1: unwritten_result: nothing writes result.position.w\n");
   EXPECT_EQ(vertex("MOV result.color, vertex.color;"), "");
   EXPECT_EQ(doubts("!!ARBvp1.0\nMOV result.position.xyz, vertex.position;\n"
                    "MOV result.position.w, 1.0;\nEND\n"),
@@ -89,17 +89,17 @@ TEST(Unwritten, ResultsAreToldAtTheHeader) {
 
 TEST(Unused, WritesAreToldWhereTheyStand) {
   EXPECT_EQ(fragment("MOV r, fragment.color;\nMOV result.color, 1.0;"),
-            "3: unused-write: 'r' is written, but nothing reads it\n");
+            "3: unused_write: 'r' is written, but nothing reads it\n");
   EXPECT_EQ(fragment("MOV r, 0.0;\nMOV r, 1.0;\nMOV result.color, r;"),
-            "3: unused-write: 'r' is overwritten in line 4 before anything reads it\n");
+            "3: unused_write: 'r' is overwritten in line 4 before anything reads it\n");
   EXPECT_EQ(fragment("MOV result.color, 0.0;\nMOV result.color, 1.0;"),
-            "3: unused-write: 'result.color' is overwritten in line 4 before anything reads it\n");
+            "3: unused_write: 'result.color' is overwritten in line 4 before anything reads it\n");
   EXPECT_EQ(fragment("MOV result.color, 0.0;\nMOV result.depth.x, 0.5;"),
-            "4: unused-write: 'result.depth.x' is no component that counts\n");
+            "4: unused_write: 'result.depth.x' is no component that counts\n");
   EXPECT_EQ(vertex("ARL A.x, vertex.color.x;\nMOV result.color, 1.0;"),
-            "3: unused-write: 'A.x' is written, but nothing reads it\n");
+            "3: unused_write: 'A.x' is written, but nothing reads it\n");
   EXPECT_EQ(fragment("MOV r, 0.0;\nADD s, r, 1.0;\nMOV result.color, 1.0;"),
-            "4: unused-write: 's' is written, but nothing reads it\n")
+            "4: unused_write: 's' is written, but nothing reads it\n")
       << "one mistake, one warning";
 }
 
@@ -139,11 +139,11 @@ TEST(Doubts, ConditionsAndBranchesLeaveNone) {
 
 TEST(Doubts, AreThereUnderNvidiasOptionsToo) {
   EXPECT_EQ(option("NV_fragment_program", "MOV r, fragment.color;\nMUL result.color, s, 2.0;"),
-            "3: unused-write: 'r' is written, but nothing reads it\n"
-            "4: unwritten-temporary: 's' is read before anything writes it\n");
+            "3: unused_write: 'r' is written, but nothing reads it\n"
+            "4: unwritten_temporary: 's' is read before anything writes it\n");
   EXPECT_EQ(option("NV_fragment_program2", "MOVC r.x, fragment.color;\nIF GT.x;\n"
                                            "MOV result.color, s;\nENDIF;"),
-            "5: unwritten-temporary: 's' is read before anything writes it\n");
+            "5: unwritten_temporary: 's' is read before anything writes it\n");
 }
 
 TEST(Doubts, NvidiasOwnLanguagesBeginWithZeros) {

@@ -121,19 +121,19 @@ std::string numbered(const char *before, std::uint32_t count, const char *after)
 }
 
 const Maker kMakers[] = {
-    {"limit-instructions", &ResourceCounts::instructions,
+    {"limit_instructions", &ResourceCounts::instructions,
      [](std::uint32_t n) { return repeat("MOV result.color, 0;\n", n); }},
-    {"limit-alu-instructions", &ResourceCounts::aluInstructions,
+    {"limit_alu_instructions", &ResourceCounts::aluInstructions,
      [](std::uint32_t n) { return repeat("MOV result.color, 0;\n", n); }},
-    {"limit-tex-instructions", &ResourceCounts::texInstructions,
+    {"limit_tex_instructions", &ResourceCounts::texInstructions,
      [](std::uint32_t n) { return repeat("KIL fragment.color;\n", n); }},
-    {"limit-tex-indirections", &ResourceCounts::texIndirections,
+    {"limit_tex_indirections", &ResourceCounts::texIndirections,
      [](std::uint32_t n) { return "TEMP a;\n" + repeat("MOV a, 0; KIL a;\n", n - 1); }},
-    {"limit-temporaries", &ResourceCounts::temporaries,
+    {"limit_temporaries", &ResourceCounts::temporaries,
      [](std::uint32_t n) { return numbered("TEMP t", n, ";\n"); }},
-    {"limit-parameters", &ResourceCounts::parameters,
+    {"limit_parameters", &ResourceCounts::parameters,
      [](std::uint32_t n) { return numbered("KIL ", n, ";\n"); }},
-    {"limit-attribs", &ResourceCounts::attribs,
+    {"limit_attribs", &ResourceCounts::attribs,
      [](std::uint32_t n) { return numbered("KIL fragment.texcoord[", n, "];\n"); }},
 };
 
@@ -196,25 +196,25 @@ TEST(Limits, BeyondWhatCanBeNumberedNoPolicyHelps) {
   std::string names = "TEMP t";
   for (int i = 0; i < 70000; ++i)
     names += ",t" + std::to_string(i);
-  EXPECT_EQ(firstError(check(wrap(names + ";"), options)), "limit-temporaries");
+  EXPECT_EQ(firstError(check(wrap(names + ";"), options)), "limit_temporaries");
   const CheckResult constants = check(wrap(numbered("KIL ", 70000, ";")), options);
   EXPECT_FALSE(constants.ok());
   bool found = false;
   for (const Diagnostic &diagnostic : constants.diagnostics)
     found |= diagnostic.severity == Severity::Error &&
-             std::string_view(diagnostic.id) == "limit-parameters";
+             std::string_view(diagnostic.id) == "limit_parameters";
   EXPECT_TRUE(found);
 }
 
 TEST(Limits, ReportLoadsArraysOverTheParameterLimit) {
   const std::string text = wrap("PARAM p[33] = { program.env[0..31], 5 };\nKIL p[32];");
-  EXPECT_EQ(firstError(check(text)), "array-size");
+  EXPECT_EQ(firstError(check(text)), "array_size");
   const CheckResult reported = check(text, small(LimitPolicy::Report));
   ASSERT_TRUE(reported.ok());
   EXPECT_EQ(reported.counts.parameters, 33u);
   ASSERT_EQ(reported.diagnostics.size(), 2u);
-  EXPECT_STREQ(reported.diagnostics[0].id, "array-size");
-  EXPECT_STREQ(reported.diagnostics[1].id, "limit-parameters");
+  EXPECT_STREQ(reported.diagnostics[0].id, "array_size");
+  EXPECT_STREQ(reported.diagnostics[1].id, "limit_parameters");
 }
 
 TEST(Limits, IndirectionsThatTheProfileDoesNotRefuseLoadAndAreNotNative) {
@@ -222,7 +222,7 @@ TEST(Limits, IndirectionsThatTheProfileDoesNotRefuseLoadAndAreNotNative) {
   options.limits.api.texIndirections = options.limits.native.texIndirections = 2;
   const std::string text = wrap("TEMP t;\nTEX t, fragment.texcoord[0], texture[0], 2D;\n"
                                 "TEX t, t, texture[0], 2D;\nTEX t, t, texture[0], 2D;");
-  EXPECT_EQ(firstError(check(text, options)), "limit-tex-indirections");
+  EXPECT_EQ(firstError(check(text, options)), "limit_tex_indirections");
   options.limits.refuseIndirections = 0;
   const CheckResult loaded = check(text, options);
   ASSERT_TRUE(loaded.ok());
@@ -260,7 +260,7 @@ TEST(Limits, AreSaidWithTheCardAndWithWhetherTheProgramLoads) {
 TEST(Limits, AZeroLimitWithAFogOptionDoesNotWrapAround) {
   CompileOptions options = generous();
   options.limits.api.temporaries = 0;
-  EXPECT_EQ(firstError(check(wrap("OPTION ARB_fog_exp;\nTEMP a;"), options)), "limit-temporaries");
+  EXPECT_EQ(firstError(check(wrap("OPTION ARB_fog_exp;\nTEMP a;"), options)), "limit_temporaries");
 }
 
 } // namespace

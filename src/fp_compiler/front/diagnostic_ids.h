@@ -13,7 +13,7 @@ enum class DiagnosticId : std::uint8_t {
 
 /// A row of diagnostic_ids.def.
 struct DiagnosticInfo {
-  const char *id;      ///< "undeclared-name"
+  const char *id;      ///< "undeclared_name"
   const char *meaning; ///< one line
 };
 

@@ -81,7 +81,7 @@ Diagnostic first(std::string_view text) {
 TEST(Foreign, TheDiagnosticSaysSo) {
   const Diagnostic glsl = first("void main() { gl_FragColor; }");
   EXPECT_EQ(glsl.message, "this is GLSL, which Arbiter does not read");
-  EXPECT_STREQ(glsl.id, "header-missing");
+  EXPECT_STREQ(glsl.id, "header_missing");
   EXPECT_NE(glsl.hint.find("cgc -oglsl"), std::string::npos);
   const Diagnostic direct3d = first("ps_2_0\ndcl t0\nmov oC0, t0\n");
   EXPECT_EQ(direct3d.message,

@@ -133,10 +133,10 @@ TEST(Hostile, NothingAtAll) {
 
 TEST(Hostile, NulInside) {
   const std::string inside("!!ARBfp1.0\nTEMP a;\0MOV a, 1;\nEND", 32);
-  EXPECT_EQ(firstError(check(inside)), "invalid-character");
+  EXPECT_EQ(firstError(check(inside)), "invalid_character");
   EXPECT_EQ(check(inside).errorPosition(), 18);
   const std::string behind("!!ARBfp1.0 END\0x", 16);
-  EXPECT_EQ(firstError(check(behind)), "text-after-end");
+  EXPECT_EQ(firstError(check(behind)), "text_after_end");
 }
 
 TEST(Hostile, LongText) {
@@ -144,7 +144,7 @@ TEST(Hostile, LongText) {
   text.resize(kMaxTextBytes, 'c');
   EXPECT_TRUE(check(text).ok());
   text += 'c';
-  EXPECT_EQ(firstError(check(text)), "text-too-long");
+  EXPECT_EQ(firstError(check(text)), "text_too_long");
   EXPECT_EQ(check(text).errorPosition(), std::int32_t(kMaxTextBytes));
   text.resize(50u << 20, 'c');
   expectSane(text, check(text));
@@ -153,15 +153,15 @@ TEST(Hostile, LongText) {
 TEST(Hostile, LongWords) {
   const std::string name(kMaxIdentifierBytes, 'n');
   EXPECT_TRUE(check(wrap("TEMP " + name + ";\nMOV " + name + ", 1;")).ok());
-  EXPECT_EQ(firstError(check(wrap("TEMP " + name + "n;"))), "identifier-too-long");
+  EXPECT_EQ(firstError(check(wrap("TEMP " + name + "n;"))), "identifier_too_long");
   EXPECT_EQ(firstError(check(wrap("TEMP " + std::string(1000000, 'n') + ";"))),
-            "identifier-too-long");
+            "identifier_too_long");
   EXPECT_EQ(firstError(check(wrap("PARAM p = 0." + std::string(63, '1') + ";"))),
-            "numeral-too-long");
+            "numeral_too_long");
   EXPECT_EQ(firstError(check(wrap("PARAM p = " + std::string(5u << 20, '1') + ";"))),
-            "text-too-long");
+            "text_too_long");
   EXPECT_EQ(firstError(check(wrap("PARAM p = " + std::string(1000000, '1') + ";"))),
-            "numeral-too-long");
+            "numeral_too_long");
 }
 
 TEST(Hostile, NumeralsOutOfRange) {
@@ -176,12 +176,12 @@ TEST(Hostile, ManyDeclarationsAndOptions) {
   std::string names;
   for (int i = 0; i < 60000; ++i)
     names += "TEMP t" + std::to_string(i) + ";\n";
-  EXPECT_EQ(firstError(check(wrap(names))), "limit-temporaries");
+  EXPECT_EQ(firstError(check(wrap(names))), "limit_temporaries");
   EXPECT_EQ(check(wrap(names)).diagnostics.size(), 1u);
   EXPECT_TRUE(check(wrap(repeat("OPTION ARB_fog_exp;\n", 50000))).ok());
   const CheckResult unsupported = check(wrap(repeat("OPTION NO_such_option;\n", 40000)));
   EXPECT_EQ(unsupported.diagnostics.size(), kMaxDiagnostics);
-  EXPECT_EQ(firstError(check(wrap(repeat("TEMP t;", 100000)))), "redeclared-name");
+  EXPECT_EQ(firstError(check(wrap(repeat("TEMP t;", 100000)))), "redeclared_name");
 }
 
 TEST(Hostile, LongParameterLists) {
@@ -198,9 +198,9 @@ TEST(Hostile, LongParameterLists) {
     }
   }
   const std::string many = wrap("PARAM p[] = {" + repeat("1,", 500000) + "1};");
-  EXPECT_EQ(firstError(check(many)), "array-entries");
+  EXPECT_EQ(firstError(check(many)), "array_entries");
   const std::string ranges = wrap("PARAM p[] = {" + repeat("program.env[0..4095],", 40000) + "1};");
-  EXPECT_EQ(firstError(check(ranges, generous())), "array-entries");
+  EXPECT_EQ(firstError(check(ranges, generous())), "array_entries");
 }
 
 TEST(Hostile, EveryErrorAtOnce) {

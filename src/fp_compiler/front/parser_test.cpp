@@ -53,7 +53,7 @@ TEST(Parser, EveryOpcodeWithAndWithoutSaturation) {
     EXPECT_FALSE(plain.dst.saturate);
     const std::string saturated = "TEMP t;\n" + std::string(row.mnemonic) + "_SAT" + rest;
     if (row.has(Kills)) {
-      EXPECT_EQ(firstError(check(wrap(saturated))), "unknown-instruction");
+      EXPECT_EQ(firstError(check(wrap(saturated))), "unknown_instruction");
       continue;
     }
     EXPECT_EQ(plain.dst.mask, 0b0101);
@@ -222,7 +222,7 @@ TEST(Parser, PaletteMatricesWhereTheyAreOffered) {
   options.limits.paletteMatrices = 4;
   EXPECT_TRUE(check(wrap("PARAM p = state.matrix.palette[3].row[0];"), options).ok());
   EXPECT_EQ(firstError(check(wrap("PARAM p = state.matrix.palette[4].row[0];"), options)),
-            "matrix-index");
+            "matrix_index");
   EXPECT_EQ(firstError(check(wrap("PARAM p = state.matrix.palette.row[0];"), options)), "syntax");
 }
 
@@ -284,8 +284,8 @@ TEST(Parser, OneErrorDoesNotHideOrCauseOthers) {
   std::vector<std::string> ids;
   for (const Diagnostic &diagnostic : result.diagnostics)
     ids.emplace_back(diagnostic.id);
-  EXPECT_EQ(ids, (std::vector<std::string>{"parameter-index", "undeclared-name", "scalar-suffix",
-                                           "syntax", "unknown-binding"}))
+  EXPECT_EQ(ids, (std::vector<std::string>{"parameter_index", "undeclared_name", "scalar_suffix",
+                                           "syntax", "unknown_binding"}))
       << result.errorString(text);
   EXPECT_EQ(result.counts, ResourceCounts{});
 }

@@ -57,7 +57,7 @@ TEST(Piglit, ParserProgramsLoadOrFailAsTheySay) {
     for (const auto &[name, text] : all) {
       const CheckResult result = checkProgram(languageNamed(language), text, generous());
       if (const std::size_t option = nvOption(text); option != std::string::npos) {
-        EXPECT_EQ(firstError(result), "unsupported-option") << name;
+        EXPECT_EQ(firstError(result), "unsupported_option") << name;
         EXPECT_EQ(result.errorPosition(), std::int32_t(option)) << name;
       } else {
         ++plain;

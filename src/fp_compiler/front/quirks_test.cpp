@@ -81,7 +81,7 @@ TEST(Quirks, AByteOfTerminatorInTheLength) {
   const CheckResult result = check(text);
   EXPECT_TRUE(result.ok());
   ASSERT_EQ(result.diagnostics.size(), 1u);
-  EXPECT_STREQ(result.diagnostics[0].id, "trailing-nul");
+  EXPECT_STREQ(result.diagnostics[0].id, "trailing_nul");
   EXPECT_EQ(result.diagnostics[0].severity, Severity::Warning);
 }
 

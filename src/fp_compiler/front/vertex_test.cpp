@@ -30,7 +30,7 @@ TEST(Vertex, EveryOpcodeOfTheLanguage) {
     const ir::OpInfo &op = info(ir::Opcode(i));
     std::string statement = std::string(op.mnemonic) + " ";
     if (op.has(ir::FragmentOnly)) {
-      EXPECT_EQ(firstError(check(wrapVertex(statement + "r, r;"))), "fragment-only") << statement;
+      EXPECT_EQ(firstError(check(wrapVertex(statement + "r, r;"))), "fragment_only") << statement;
       continue;
     }
     ++opcodes;
@@ -105,7 +105,7 @@ TEST(Vertex, AliasedAttributesDoNotLoadTogether) {
     for (int generic = 0; generic < 16; ++generic) {
       const std::string a = std::string("ATTRIB a = vertex.") + row.conventional + ";";
       const std::string b = "ATTRIB b = vertex.attrib[" + std::to_string(generic) + "];";
-      const char *expected = generic == row.generic ? "attribute-alias" : "";
+      const char *expected = generic == row.generic ? "attribute_alias" : "";
       EXPECT_EQ(firstError(check(wrapVertex(a + b))), expected) << a << b;
       EXPECT_EQ(firstError(check(wrapVertex(b + a))), expected) << b << a;
     }
@@ -177,7 +177,7 @@ TEST(Vertex, PositionInvarianceTakesFourInstructions) {
   EXPECT_TRUE(check(text(6), options).ok());
   EXPECT_EQ(check(text(6), options).counts.instructions, 6u);
   const CheckResult over = check(text(7), options);
-  EXPECT_EQ(firstError(over), "limit-instructions");
+  EXPECT_EQ(firstError(over), "limit_instructions");
   EXPECT_EQ(over.diagnostics[0].message,
             "more than 6 instructions (10 less 4 for OPTION ARB_position_invariant)");
   EXPECT_EQ(over.errorPosition(), std::int32_t(text(7).rfind("MOV")));
@@ -224,7 +224,7 @@ TEST(VertexCounts, AStateVectorMayBeBoundTwiceUnlessBothAreUnderRelativeAddressi
                              "PARAM e = program.env[2]; ADDRESS A; TEMP t;";
   EXPECT_EQ(vertexCounts(arrays + "MOV t, c[A.x]; MOV t, d[0]; MOV t, e;").parameters, 6u);
   EXPECT_EQ(firstError(check(wrapVertex(arrays + "MOV t, c[A.x]; MOV t, d[A.x];"))),
-            "relative-duplicate");
+            "relative_duplicate");
 }
 
 struct Statement {
@@ -236,11 +236,11 @@ struct Statement {
 
 TEST(VertexLimits, AtTheLimitLoadsAndOneMoreFailsWhereItGoesOver) {
   const Statement makers[] = {
-      {"limit-instructions", &ResourceCounts::instructions, "MOV result.texcoord[", "], 0;\n"},
-      {"limit-temporaries", &ResourceCounts::temporaries, "TEMP t", ";\n"},
-      {"limit-parameters", &ResourceCounts::parameters, "PARAM p", " = program.env[0];\n"},
-      {"limit-attribs", &ResourceCounts::attribs, "ATTRIB a", " = vertex.attrib[0];\n"},
-      {"limit-address-registers", &ResourceCounts::addressRegisters, "ADDRESS A", ";\n"}};
+      {"limit_instructions", &ResourceCounts::instructions, "MOV result.texcoord[", "], 0;\n"},
+      {"limit_temporaries", &ResourceCounts::temporaries, "TEMP t", ";\n"},
+      {"limit_parameters", &ResourceCounts::parameters, "PARAM p", " = program.env[0];\n"},
+      {"limit_attribs", &ResourceCounts::attribs, "ATTRIB a", " = vertex.attrib[0];\n"},
+      {"limit_address_registers", &ResourceCounts::addressRegisters, "ADDRESS A", ";\n"}};
   for (const Statement &maker : makers) {
     const auto text = [&](std::uint32_t n) {
       std::string all;
@@ -273,7 +273,7 @@ TEST(VertexLimits, RelativeAddressingMayGoOverTheParameters) {
       wrapVertex("PARAM c[3] = {1, 1, 2}; PARAM d[1] = {1}; ADDRESS A; TEMP t;\n"
                  "MOV t, c[A.x];\nMOV t, c[A.x];\nMOV t, d[A.x];");
   const CheckResult result = check(text, options);
-  EXPECT_EQ(firstError(result), "limit-parameters");
+  EXPECT_EQ(firstError(result), "limit_parameters");
   EXPECT_EQ(result.errorPosition(), std::int32_t(text.find("d[A.x]")));
 }
 
@@ -284,7 +284,7 @@ TEST(VertexLimits, AddressRegistersAreNumberedInAByte) {
   for (int i = 0; i < 255; ++i)
     names += ",a" + std::to_string(i);
   EXPECT_TRUE(check(wrapVertex(names + ";"), options).ok());
-  EXPECT_EQ(firstError(check(wrapVertex(names + ",z;"), options)), "limit-address-registers");
+  EXPECT_EQ(firstError(check(wrapVertex(names + ",z;"), options)), "limit_address_registers");
 }
 
 } // namespace

@@ -145,7 +145,7 @@ TEST(Hud, HasALetterForAllThatIsSaid) {
   hud::Figures figures;
   figures.version = hud::versionLine("r300", "ATI Radeon 9700 (R300, 2002): the API limits");
   figures.host = "llvmpipe (LLVM 15.0.6, 256 bits)";
-  figures.draws = {{"host-glsl", 3}, {"rasterizer", 120}};
+  figures.draws = {{"host_glsl", 3}, {"rasterizer", 120}};
   figures.programs = 5;
   EXPECT_EQ(hud::linesOf(figures, {})[2], "no frames yet");
   EXPECT_EQ(hud::linesOf(figures, {})[4], "programs 5  over native 0");
@@ -154,7 +154,7 @@ TEST(Hud, HasALetterForAllThatIsSaid) {
   const std::vector<std::string> lines = hud::linesOf(figures, {});
   ASSERT_EQ(lines.size(), 5u);
   EXPECT_EQ(lines[2], "50.0 fps  20.0 ms  worst 30.0");
-  EXPECT_EQ(lines[3], "host-glsl 3  rasterizer 120");
+  EXPECT_EQ(lines[3], "host_glsl 3  rasterizer 120");
   EXPECT_EQ(lines[4], "programs 5  over native 0  refused 2");
   for (const std::string &line : lines)
     for (const char letter : line) {

@@ -25,12 +25,12 @@ struct TargetInfo {
 inline constexpr TargetInfo kTargets[kTargetCount] = {
     {GL_FRAGMENT_PROGRAM_ARB, fp::ir::Language::ArbFragment, "fragment", ".fp"},
     {GL_VERTEX_PROGRAM_ARB, fp::ir::Language::ArbVertex, "vertex", ".vp"},
-    {GL_TEXT_FRAGMENT_SHADER_ATI, fp::ir::Language::AtiFragment, "ati-fragment", ".atifs"},
-    {GL_FRAGMENT_SHADER_ATI, fp::ir::Language::AtiFragment, "ati-fragment-api", ".atifs"},
-    {GL_VERTEX_STATE_PROGRAM_NV, fp::ir::Language::ArbVertex, "vertex-state", ".vsp"},
+    {GL_TEXT_FRAGMENT_SHADER_ATI, fp::ir::Language::AtiFragment, "ati_fragment", ".atifs"},
+    {GL_FRAGMENT_SHADER_ATI, fp::ir::Language::AtiFragment, "ati_fragment_api", ".atifs"},
+    {GL_VERTEX_STATE_PROGRAM_NV, fp::ir::Language::ArbVertex, "vertex_state", ".vsp"},
     {GL_REGISTER_COMBINERS_NV, fp::ir::Language::Combiners, "combiners", ".nvrc"},
-    {GL_TEXTURE_SHADER_NV, fp::ir::Language::TextureShaders, "texture-shaders", ".nvts"},
-    {GL_VERTEX_SHADER_EXT, fp::ir::Language::ArbVertex, "vertex-shader", ""},
+    {GL_TEXTURE_SHADER_NV, fp::ir::Language::TextureShaders, "texture_shaders", ".nvts"},
+    {GL_VERTEX_SHADER_EXT, fp::ir::Language::ArbVertex, "vertex_shader", ""},
 };
 [[nodiscard]] constexpr const TargetInfo &infoOf(Target target) {
   return kTargets[std::size_t(target)];

@@ -57,7 +57,7 @@ fp::Compilation refuseTarget(Target target) {
   const char *const hint = target == Target::VertexState
                                ? "VERTEX_STATE_PROGRAM_NV takes texts that begin with !!VSP1.0"
                                : "load it for GL_VERTEX_STATE_PROGRAM_NV";
-  refused.check.diagnostics.push_back({.id = "native-header",
+  refused.check.diagnostics.push_back({.id = "native_header",
                                        .span = {0, 1},
                                        .message = "the header is one of another target",
                                        .hint = hint});

@@ -42,7 +42,7 @@ QString stateFolder() {
 Problem problemOf(const UnsetUnit &unset, const QString &text) {
   Problem problem;
   problem.severity = Severity::Warning;
-  problem.code = QStringLiteral("unset-texture");
+  problem.code = QStringLiteral("unset_texture");
   problem.message =
       QObject::tr("texture[%1] has no image: a checker with its number stands in for one")
           .arg(unset.unit);

@@ -10,7 +10,7 @@ namespace arbiter::scene {
 
 namespace {
 
-constexpr const char *kTwice = "panel-twice";
+constexpr const char *kTwice = "panel_twice";
 
 bool readSize(Reader &reader) {
   Panel &panel = reader.panel();
@@ -26,7 +26,7 @@ bool readNumerics(Reader &reader) {
     return true;
   const fp::Span span = name.span;
   name = {};
-  return reader.warning(span, "panel-word", "these numerics are unknown and have no effect",
+  return reader.warning(span, "panel_word", "these numerics are unknown and have no effect",
                         "one of host, legacy, fp24, fx9");
 }
 
@@ -43,7 +43,7 @@ bool readProfile(Reader &reader) {
     known.append(known == "one of" ? " " : ", ").append(each);
   const fp::Span span = name.span;
   name = {};
-  return reader.warning(span, "panel-word", "this profile is unknown and has no effect",
+  return reader.warning(span, "panel_word", "this profile is unknown and has no effect",
                         known + ", or a TOML file");
 }
 

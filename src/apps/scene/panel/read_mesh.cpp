@@ -44,7 +44,7 @@ bool readShape(Reader &reader, int nesting, ShapeSpec &spec) {
   if (!reader.acceptWord("of"))
     return reader.expected("'of' and a shape", "for example: shells count 16 of sphere");
   if (nesting == kMaxNesting)
-    return reader.error(reader.peek().span, "panel-range", "shapes are nested too deep");
+    return reader.error(reader.peek().span, "panel_range", "shapes are nested too deep");
   return readShape(reader, nesting + 1, spec.of.emplace_back());
 }
 
@@ -56,7 +56,7 @@ bool readMesh(Reader &reader) {
   const std::uint32_t begin = reader.peek().span.begin;
   do {
     if (shapes.size() == kMaxParts)
-      return reader.error(reader.peek().span, "panel-range", "a mesh has at most 16 shapes");
+      return reader.error(reader.peek().span, "panel_range", "a mesh has at most 16 shapes");
     if (!readShape(reader, 0, shapes.emplace_back()))
       return false;
   } while (reader.acceptWord("and"));
@@ -75,7 +75,7 @@ bool readCamera(Reader &reader) {
     if (!reader.argument(row, camera.arguments, found))
       return false;
   if (camera.kind.value == CameraKind::Orbit && camera.argument("near") >= camera.argument("far"))
-    return reader.error(camera.kind.span, "panel-range", "near is to be less than far");
+    return reader.error(camera.kind.span, "panel_range", "near is to be less than far");
   reader.panel().camera = camera;
   return true;
 }
@@ -96,7 +96,7 @@ bool readCoordinate(Reader &reader) {
         return false;
   for (const CoordinateSpec &other : reader.panel().coordinates)
     if (other.set == spec.set)
-      return reader.error(set.span, "panel-twice", "this texture coordinate set is said twice",
+      return reader.error(set.span, "panel_twice", "this texture coordinate set is said twice",
                           "one of the two is to go");
   reader.panel().coordinates.push_back(spec);
   return true;

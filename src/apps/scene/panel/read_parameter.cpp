@@ -40,7 +40,7 @@ bool readMask(Reader &reader, Parameter &parameter) {
   for (const char letter : letters) {
     const std::size_t component = all.find(letter, next);
     if (component == std::string_view::npos)
-      return reader.error(reader.peek().span, "panel-syntax", "no components",
+      return reader.error(reader.peek().span, "panel_syntax", "no components",
                           "of .xyzw or .rgba some, in order");
     parameter.mask[component] = true;
     next = component + 1;
@@ -60,7 +60,7 @@ bool readNumbers(Reader &reader, Parameter &parameter) {
   if (parameter.values.empty())
     return reader.expected("a number", "or rotate, camera or eye");
   return !reader.at(TokenKind::Number) ||
-         reader.error(reader.peek().span, "panel-syntax", "more numbers than components",
+         reader.error(reader.peek().span, "panel_syntax", "more numbers than components",
                       "local[0].xy has two, local[0] four");
 }
 
@@ -74,7 +74,7 @@ bool readRotation(Reader &reader, Parameter &parameter) {
       return false;
   if (parameter.arguments.get(row, "x") == 0 && parameter.arguments.get(row, "y") == 0 &&
       parameter.arguments.get(row, "z") == 0)
-    return reader.error(parameter.kind.span, "panel-syntax", "the rotation has no axis",
+    return reader.error(parameter.kind.span, "panel_syntax", "the rotation has no axis",
                         "for example: rotate 30 z 1");
   return true;
 }
@@ -87,7 +87,7 @@ bool readValue(Reader &reader, Parameter &parameter) {
   if (parameter.kind.value == ValueKind::Eye)
     return true;
   if (parameter.count != 3 && parameter.count != 4)
-    return reader.error(parameter.kind.span, "panel-syntax", "a matrix is three or four rows",
+    return reader.error(parameter.kind.span, "panel_syntax", "a matrix is three or four rows",
                         "for example: env[0..3]");
   return parameter.kind.value == ValueKind::Rotate
              ? readRotation(reader, parameter)
@@ -103,7 +103,7 @@ bool readRange(Reader &reader, Parameter &parameter) {
   if (!reader.number("the high end", -kGreatest, kGreatest, parameter.high))
     return false;
   return parameter.low.value < parameter.high.value ||
-         reader.error(parameter.high.span, "panel-range",
+         reader.error(parameter.high.span, "panel_range",
                       "the high end is to be more than the low one");
 }
 
@@ -117,10 +117,10 @@ bool readAnimation(Reader &reader, Parameter &parameter) {
   const bool turns = animation.kind.value == AnimationKind::Turn;
   if (turns && (parameter.kind.value != ValueKind::Numbers || !parameter.mask[0] ||
                 !parameter.mask[2] || parameter.values.size() < 3))
-    return reader.error(animation.kind.span, "panel-syntax",
+    return reader.error(animation.kind.span, "panel_syntax",
                         "only a value with x, y and z can turn");
   if (parameter.kind.value == ValueKind::Camera || parameter.kind.value == ValueKind::Eye)
-    return reader.error(animation.kind.span, "panel-syntax",
+    return reader.error(animation.kind.span, "panel_syntax",
                         "what follows from a camera moves with it",
                         "animate a number in its place");
   parameter.animation = animation;
@@ -161,7 +161,7 @@ bool readParameter(Reader &reader, Setting space, std::uint32_t begin) {
   parameter.span = {begin, reader.last()};
   for (const Parameter &other : reader.panel().parameters)
     if (overlap(other, parameter))
-      return reader.error(parameter.span, "panel-twice", "a component of this has a value already",
+      return reader.error(parameter.span, "panel_twice", "a component of this has a value already",
                           "one of the two is to go");
   reader.panel().parameters.push_back(std::move(parameter));
   return true;

@@ -55,14 +55,14 @@ bool readInner(Reader &reader, int nesting, TextureSource &source) {
     return outer == Generator::Feedback ||
            reader.expected("'of' and heights", "for example: normals strength 2 of bumps");
   if (nesting == kMaxNesting)
-    return reader.error(reader.peek().span, "panel-range", "generators are nested too deep");
+    return reader.error(reader.peek().span, "panel_range", "generators are nested too deep");
   const fp::Span span = reader.peek().span;
   if (!readSource(reader, nesting + 1, source.of.emplace_back()))
     return false;
   const Generator inner = source.of.front().generator.value;
   if (isCube(inner) || inner == Generator::Picture || inner == Generator::DepthOf ||
       inner == Generator::Feedback)
-    return reader.error(span, "panel-syntax", "'of' takes an image with two sides");
+    return reader.error(span, "panel_syntax", "'of' takes an image with two sides");
   return true;
 }
 
@@ -103,7 +103,7 @@ bool readTexture(Reader &reader, std::uint32_t begin) {
     return false;
   for (const TextureSpec &other : reader.panel().textures)
     if (other.unit == texture.unit)
-      return reader.error(unit.span, "panel-twice", "this unit has an image already",
+      return reader.error(unit.span, "panel_twice", "this unit has an image already",
                           "one of the two is to go");
   texture.span = {begin, reader.last()};
   reader.panel().textures.push_back(std::move(texture));

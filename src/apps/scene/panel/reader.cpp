@@ -69,14 +69,14 @@ bool Reader::warning(fp::Span span, const char *id, std::string message, std::st
 bool Reader::expected(const std::string &what, std::string hint) {
   const Token &token = peek();
   const std::string got = token.kind == TokenKind::End ? "the end of the line" : quoted(token.text);
-  return error(token.span, "panel-syntax", "expected " + what + ", not " + got, std::move(hint));
+  return error(token.span, "panel_syntax", "expected " + what + ", not " + got, std::move(hint));
 }
 
 bool Reader::unknownWord(const std::string &what, std::span<const WordRow> rows) {
   const Token &token = peek();
   const auto words = names(rows);
   const std::string_view near = nearest(token.text, words);
-  return warning(token.span, "panel-word",
+  return warning(token.span, "panel_word",
                  quoted(token.text) + " is no " + what + " and has no effect",
                  near.empty() ? wordList(rows) : "did you mean '" + std::string(near) + "'?");
 }
@@ -91,7 +91,7 @@ bool Reader::number(const std::string &what, double low, double high, Number &nu
     return expected(what, "a number from " + shown(low) + " to " + shown(high));
   const Token &token = peek();
   if (token.value < low || token.value > high)
-    return error(token.digits(), "panel-range",
+    return error(token.digits(), "panel_range",
                  what + " is from " + shown(low) + " to " + shown(high));
   number = {token.value, token.digits()};
   take();
@@ -103,7 +103,7 @@ bool Reader::integer(const std::string &what, double low, double high, Number &r
   if (!number(what, low, high, result))
     return false;
   return result.value == std::floor(result.value) ||
-         error(span, "panel-range", what + " is a whole number");
+         error(span, "panel_range", what + " is a whole number");
 }
 
 bool Reader::name(const std::string &what, Name &name) {
@@ -111,7 +111,7 @@ bool Reader::name(const std::string &what, Name &name) {
     return expected(what, "a word, or anything in double quotes");
   const Token &token = take();
   if (token.text.size() > kMaxName)
-    return error(token.span, "panel-range", "a name has at most 255 bytes");
+    return error(token.span, "panel_range", "a name has at most 255 bytes");
   name = {std::string(token.text), token.span};
   return true;
 }
@@ -120,13 +120,13 @@ bool Reader::file(const std::string &what, Name &result) {
   if (!name(what, result))
     return false;
   return !leadsOut(result.text) ||
-         error(result.span, "panel-file",
+         error(result.span, "panel_file",
                quoted(result.text) + " leads out of the document's folder",
                "put the file beside the document and write its name alone");
 }
 
 bool Reader::leftOver() {
-  return warning(peek().span, "panel-word", quoted(peek().text) + " has no meaning here",
+  return warning(peek().span, "panel_word", quoted(peek().text) + " has no meaning here",
                  "a comma begins the next setting");
 }
 

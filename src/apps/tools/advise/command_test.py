@@ -34,7 +34,7 @@ class Advise(unittest.TestCase):
 
     def test_text(self):
         out = self.check('--advise', 'a.fp')
-        for piece in ('a.fp:4:1: note: MAX and MIN', '[clamp-by-sat]', '  ^~~~', 'ALU 3 -> 1',
+        for piece in ('a.fp:4:1: note: MAX and MIN', '[clamp_by_sat]', '  ^~~~', 'ALU 3 -> 1',
                       '  - MAX t, t, 0.0;', '  + MUL_SAT t, fragment.color, 3.0;'):
             self.assertIn(piece, out)
         self.assertNotIn('note:', self.check('a.fp'))
@@ -78,14 +78,14 @@ class Advise(unittest.TestCase):
 
     def test_json(self):
         found = json.loads(self.check('--advise', '--json', 'a.fp'))['files'][0]['advice']
-        clamp = next(each for each in found if each['rule'] == 'clamp-by-sat')
+        clamp = next(each for each in found if each['rule'] == 'clamp_by_sat')
         self.assertEqual((clamp['before']['alu'], clamp['after']['alu']), (3, 1))
         self.assertEqual((clamp['range']['line'], clamp['range']['column']), (4, 1))
         text = NAIVE
         for edit in reversed(clamp['edits']):
             text = text[:edit['begin']] + edit['text'] + text[edit['end']:]
         self.file.write_text(text)
-        self.assertNotIn('clamp-by-sat', self.check('--advise', 'a.fp'))
+        self.assertNotIn('clamp_by_sat', self.check('--advise', 'a.fp'))
         self.assertIn('alu', self.check('--json', 'a.fp'))
         self.assertNotIn('advice', json.loads(self.check('--json', 'a.fp'))['files'][0])
 

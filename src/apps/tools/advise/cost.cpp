@@ -10,7 +10,7 @@ Cost costOf(const fp::CheckResult &check) {
   // Under LimitPolicy::Report a program over a limit of the API only gets a warning.
   const bool over = std::any_of(
       check.diagnostics.begin(), check.diagnostics.end(),
-      [](const fp::Diagnostic &each) { return std::string_view(each.id).starts_with("limit-"); });
+      [](const fp::Diagnostic &each) { return std::string_view(each.id).starts_with("limit_"); });
   return {counts.aluInstructions, counts.texInstructions, counts.texIndirections,
           check.underNativeLimits && !over};
 }

@@ -176,7 +176,7 @@ TEST(Fixes, OfTheNaiveLife) {
   const std::vector<Advice> all = advise(text, setting);
   EXPECT_GE(std::count_if(all.begin(), all.end(), [](const Advice &a) { return a.isFix(); }), 3);
   EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const Advice &a) {
-    return std::string_view(a.rule) == "linear-work" && a.after.alu <= a.before.alu / 2;
+    return std::string_view(a.rule) == "linear_work" && a.after.alu <= a.before.alu / 2;
   })) << "the neighbours' places are not the vertex stage's";
   const Fixed fixed = applyAll(text, setting);
   EXPECT_EQ(fixed.before.alu, 24u);

@@ -116,7 +116,7 @@ TEST(Show, HasPlaceCostAndLines) {
   EXPECT_EQ(note.find("a.fp:4:1: note: MAX and MIN clamp"), 0u);
   const std::string full = fullText(note, text, all[0]);
   for (const char *piece :
-       {"[clamp-by-sat]", "^~~~", "ALU 3 -> 1", "  - MAX t, t, 0.0;\n",
+       {"[clamp_by_sat]", "^~~~", "ALU 3 -> 1", "  - MAX t, t, 0.0;\n",
         "  - MUL t, fragment.color, 3.0;\n", "  + MUL_SAT t, fragment.color, 3.0;\n"})
     EXPECT_NE(full.find(piece), std::string::npos) << piece << " in\n" << full;
 }

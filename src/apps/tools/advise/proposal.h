@@ -25,7 +25,7 @@ struct Derived {
 };
 
 struct Proposal {
-  const char *rule = ""; ///< stable, kebab-case: "select-by-cmp"; listed in docs/write/advice.md
+  const char *rule = ""; ///< stable, kebab-case: "select_by_cmp"; listed in docs/write/advice.md
   fp::Span span;         ///< the place in the text
   std::string message;   ///< one line, no full stop
   Edits edits;           ///< sorted; empty for advice that cannot be measured

@@ -312,7 +312,7 @@ std::string CardMatrix::json() const {
   json.endArray().key("summary").beginObject();
   json.key("files").value(std::uint64_t(m_files));
   json.key("unreadable").value(std::uint64_t(m_faults));
-  json.key("fit").beginObject();
+  json.key("valid_by_profile").beginObject();
   for (std::size_t i = 0; i < m_cards.size(); ++i)
     json.key(m_cards[i]->name).value(std::uint64_t(fitting(i)));
   return json.endObject().endObject().endObject().take();

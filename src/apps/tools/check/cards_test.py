@@ -62,12 +62,12 @@ class Cards(unittest.TestCase):
                 over = {row['resource']: [row['native_used'], row['native_limit']]
                         for row in cell['over']}
                 counts = entry.get('counts', {})
-                if entry['status'] == 'over-native':
+                if entry['status'] == 'over_native':
                     self.assertEqual(over, {name: [count['native_used'], count['native_limit']]
                                             for name, count in counts.items()
                                             if count['native_used'] > count['native_limit']})
             fit = sum(entry['status'] == 'valid' for entry in alone['files'])
-            self.assertEqual(document['summary']['fit'][card], fit)
+            self.assertEqual(document['summary']['valid_by_profile'][card], fit)
         self.assertEqual(document['summary']['files'], len(files))
 
     def test_a_card_with_four_draw_buffers_refuses_the_fifth(self):
@@ -144,14 +144,14 @@ class Cards(unittest.TestCase):
                'MOV result.color, a;\nEND\n'
         answers, _ = self.statuses('--limits', 'report', self.write('c.fp', long), code=3)
         self.assertEqual({cell['status'] for row in answers.values() for cell in row.values()},
-                         {'over-native'})
+                         {'over_native'})
         self.assertIn('fit at least one card: 0 of 1 program, load and fit none: 1\n',
                       run('--profile', 'all', '--limits', 'report', self.folder / 'c.fp').stdout)
 
     def test_standard_input_is_read_once(self):
         answers, _ = self.statuses('-', code=0, text=SIMPLE)
         for card, cell in answers['<stdin>'].items():
-            self.assertEqual(cell['status'], 'over-native' if card in PROGRAMLESS else 'valid')
+            self.assertEqual(cell['status'], 'over_native' if card in PROGRAMLESS else 'valid')
 
     def test_what_it_does_not_go_with(self):
         path = self.write('a.fp', SIMPLE)

@@ -15,7 +15,7 @@ const char *name(FileStatus status) {
   case FileStatus::Valid:
     return "valid";
   case FileStatus::OverNative:
-    return "over-native";
+    return "over_native";
   case FileStatus::Invalid:
     return "invalid";
   case FileStatus::Unreadable:

@@ -16,7 +16,7 @@ namespace arbiter::tools {
 
 enum class FileStatus { Valid, OverNative, Invalid, Unreadable };
 
-/// Returns "valid", "over-native", "invalid" or "unreadable", which are part of the JSON.
+/// Returns "valid", "over_native", "invalid" or "unreadable", which are part of the JSON.
 [[nodiscard]] const char *name(FileStatus status);
 
 class CheckedFile {

@@ -94,7 +94,7 @@ class Indirections(Temporary):
         result = check(self.path('deep.fp', DEEP))
         self.assertEqual(result.returncode, 3)
         self.assertIn('warning: ATI Radeon 9700 (r300) runs 4 texture indirections, and this program needs 5: '
-                      'it loads, but not natively [limit-tex-indirections]\n', result.stdout)
+                      'it loads, but not natively [limit_tex_indirections]\n', result.stdout)
         self.assertIn('deep.fp: valid, but over the native limits of r300\n', result.stdout)
         self.assertRegex(result.stdout, r'(?m)^  TEX indirections +5 +4 +5 +4  .*\]'
                                         r'  over the native limit; the API limit is not enforced$')
@@ -104,7 +104,7 @@ class Indirections(Temporary):
         result = check('--profile', profile, self.path('deep.fp', DEEP))
         self.assertEqual(result.returncode, 2)
         self.assertIn('error: more than 4 texture indirections, the limit of ATI Radeon 9700 (strict) '
-                      '[limit-tex-indirections]\n', result.stdout)
+                      '[limit_tex_indirections]\n', result.stdout)
 
 
 if __name__ == '__main__':

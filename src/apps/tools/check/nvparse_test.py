@@ -67,7 +67,7 @@ class Check(Folder):
         entry = self.answer(THREE, 'nv10', code=2)
         finding, = entry['diagnostics']
         place = finding['range']
-        self.assertEqual((finding['id'], place['line'], place['column']), ('limit-general-combiners', 4, 1))
+        self.assertEqual((finding['id'], place['line'], place['column']), ('limit_general_combiners', 4, 1))
         counts = self.answer(THREE, 'nv20')['counts']
         self.assertEqual((counts['alu_instructions']['used'], counts['alu_instructions']['limit']), (3, 8))
         self.answer('!!RC1.0\n' + STAGE * 8 + 'out.rgb = spare0;\n', 'nv25')
@@ -75,10 +75,10 @@ class Check(Folder):
 
     def test_what_a_card_does_not_have(self):
         for text, profile, name in (
-                (TWO, 'r300', 'not-offered'), (REFLECTS, 'nv10', 'not-offered'),
-                (LINE, 'nv20', 'limit-texture-shaders'), ('!!RC1.0\nout.rgb = tex2;\n', 'nv10', 'image-unit'),
+                (TWO, 'r300', 'not_offered'), (REFLECTS, 'nv10', 'not_offered'),
+                (LINE, 'nv20', 'limit_texture_shaders'), ('!!RC1.0\nout.rgb = tex2;\n', 'nv10', 'image_unit'),
                 ('!!RC1.0\n{ const0 = (0, 0, 0, 0); rgb { spare0 = const0; } }\nout.rgb = spare0;\n', 'nv10',
-                 'limit-stage-constants')):
+                 'limit_stage_constants')):
             entry = self.answer(text, profile, code=2)
             self.assertEqual([each['id'] for each in entry['diagnostics']], [name])
         for text, profile in ((REFLECTS, 'nv20'), (LINE, 'nv25'), (LINE, 'host')):

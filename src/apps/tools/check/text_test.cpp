@@ -166,7 +166,7 @@ TEST(Text, ACardWithoutProgramsSaysThatAlone) {
   CheckedFile file = overFile();
   file.limits = card.fragment;
   file.result.diagnostics = {
-      {fp::Severity::Error, "limit-tex-indirections", {}, "more than 4 texture indirections", ""}};
+      {fp::Severity::Error, "limit_tex_indirections", {}, "more than 4 texture indirections", ""}};
   EXPECT_EQ(fullText(file, card, {ascii(), true}),
             "deep.fp: nv25: the card has no fragment programs\n");
   EXPECT_EQ(lackText(file, card), "deep.fp: nv25: the card has no fragment programs\n");
@@ -311,7 +311,7 @@ TEST(Summary, TheFullestAndThoseThatDoNotFit) {
   bad.name = "bad\x1b.fp";
   bad.status = FileStatus::Invalid;
   bad.limits = r300().fragment;
-  bad.result.diagnostics = {{fp::Severity::Error, "limit-tex-instructions", {}, "too many", ""}};
+  bad.result.diagnostics = {{fp::Severity::Error, "limit_tex_instructions", {}, "too many", ""}};
   summary.add(bad);
   EXPECT_EQ(summary.line(r300()),
             "3 files under r300: 1 valid, 1 over the native limits, 1 invalid\n");

@@ -43,7 +43,7 @@ std::string drawnByNote(const std::string &statistics) {
   if (!json.is_object() || draws == json.end() || !draws->is_object())
     return {};
   const std::uint64_t own = countOf(*draws, "rasterizer");
-  const std::uint64_t hosts = countOf(*draws, "host-glsl") + countOf(*draws, "host-assembly");
+  const std::uint64_t hosts = countOf(*draws, "host_glsl") + countOf(*draws, "host_assembly");
   if (hosts == 0)
     return {};
   return "the rasterizer left " + std::to_string(hosts) + " of " + std::to_string(own + hosts) +

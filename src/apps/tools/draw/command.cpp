@@ -78,7 +78,7 @@ int fail(const DrawArguments &arguments, const scene::Document &document,
       complain(error.message);
       return kExitUsage;
     }
-    print(file, {{fp::Severity::Error, "panel-draw", error.span, error.message, {}}});
+    print(file, {{fp::Severity::Error, "panel_draw", error.span, error.message, {}}});
     return kExitInvalid;
   case RenderError::Kind::NoGl:
     break;

@@ -86,7 +86,7 @@ TEST(OverNative, EachReasonStandsAtItsFirstInstruction) {
   ASSERT_EQ(found.size(), 3u);
   for (const Json &one : found) {
     EXPECT_EQ(one["severity"], 2);
-    EXPECT_EQ(one["code"], "over-native");
+    EXPECT_EQ(one["code"], "over_native");
   }
   EXPECT_EQ(lineOf(found[0]), 0u);
   EXPECT_EQ(found[0]["message"], "over the native limit of r300: 70 of 64 ALU instructions");

@@ -96,7 +96,7 @@ Json ofReason(const View &view, const fp::hw::Reason &reason, const std::string 
   };
   const bool whole = reason.instructions.empty() || reason.instructions.size() > kMaxPlaces;
   Json json = made(view, whole ? header(view) : spanOf(reason.instructions[0]), kWarning,
-                   "over-native", reason.text + ": " + std::to_string(reason.amount) + over);
+                   "over_native", reason.text + ": " + std::to_string(reason.amount) + over);
   Json places = Json::array();
   for (std::size_t i = whole ? 0 : 1; i < std::min(reason.instructions.size(), kMaxPlaces); ++i)
     places.push_back(related(view, spanOf(reason.instructions[i]), reason.text));
@@ -107,7 +107,7 @@ Json ofReason(const View &view, const fp::hw::Reason &reason, const std::string 
 
 /// Adds a warning that says why the card does not run the program itself.
 void addLack(const View &view, std::string_view lack, Json &all) {
-  all.push_back(made(view, header(view), kWarning, "over-native",
+  all.push_back(made(view, header(view), kWarning, "over_native",
                      view.profile.name + ": " + std::string(lack)));
 }
 
@@ -119,7 +119,7 @@ void addNative(const View &view, Json &all) {
     const std::uint32_t limit = view.analysis.limits.native.*row.member;
     if (!row.of(view.analysis.language) || used <= limit)
       continue;
-    all.push_back(made(view, header(view), kWarning, "over-native",
+    all.push_back(made(view, header(view), kWarning, "over_native",
                        "over the native limit of " + view.profile.name + ": " +
                            std::to_string(used) + " of " + std::to_string(limit) + " " +
                            row.title));

@@ -69,7 +69,7 @@ class Actions(Session):
         self.assertIn('MUL_SAT t, fragment.color, 3.0;', text)
         self.assertNotIn('MAX', text)
         self.assertEqual(self.client.open(URI, text), [])
-        self.assertEqual([a for a in self.advice() if a['rule'] == 'clamp-by-sat'], [])
+        self.assertEqual([a for a in self.advice() if a['rule'] == 'clamp_by_sat'], [])
 
     def test_places(self):
         self.client.open(URI, NAIVE)
@@ -108,7 +108,7 @@ class Actions(Session):
     def test_list(self):
         self.client.open(URI, NAIVE)
         found = {each['rule']: each for each in self.advice()}
-        clamp, work = found['clamp-by-sat'], found['parameter-work']
+        clamp, work = found['clamp_by_sat'], found['parameter_work']
         self.assertTrue(clamp['fix'] and clamp['exact'])
         self.assertEqual(clamp['range']['start'], place(NAIVE, 'MAX t'))
         self.assertLess(clamp['after']['alu'], clamp['before']['alu'])
@@ -120,13 +120,13 @@ class Actions(Session):
 
     def test_follows_the_profile_and_the_text(self):
         self.client.open(URI, NAIVE)
-        self.assertNotIn('dead-work', {each['rule'] for each in self.advice()})
+        self.assertNotIn('dead_work', {each['rule'] for each in self.advice()})
         dead = NAIVE.replace('MUL u', 'MOV u, t;\nMUL u')
         self.client.open(URI, dead)
-        self.assertNotIn('needless-copy', {each['rule'] for each in self.advice()})
+        self.assertNotIn('needless_copy', {each['rule'] for each in self.advice()})
         self.client.notify('workspace/didChangeConfiguration', {'settings': {'profile': 'host'}})
         self.client.diagnostics(URI)
-        self.assertIn('dead-work', {each['rule'] for each in self.advice()})
+        self.assertIn('dead_work', {each['rule'] for each in self.advice()})
 
     def test_a_name_that_was_meant(self):
         text = '!!ARBfp1.0\nTEMP offset;\nMOV offset, fragment.color;\n' \

@@ -125,7 +125,7 @@ class Diagnostics(Session):
     def test_each_has_range_code_and_hint(self):
         found = self.client.open(URI, PROGRAM.replace('MUL_SAT r0.xyz', 'MULL r0.xyz')
                                  .replace('MOV out, r0', 'MOV out, color'))
-        self.assertEqual([d['code'] for d in found], ['unknown-instruction', 'undeclared-name'])
+        self.assertEqual([d['code'] for d in found], ['unknown_instruction', 'undeclared_name'])
         self.assertEqual(found[0]['severity'], 1)
         self.assertEqual(found[0]['range'], {'start': {'line': 9, 'character': 0},
                                              'end': {'line': 9, 'character': 4}})
@@ -136,14 +136,14 @@ class Diagnostics(Session):
         found = self.client.open(URI, '!!ARBfp1.0\n#@ blend ad, size 4\n'
                                       'MOV result.color, fragment.color;\nEND\n')
         self.assertEqual([(each['code'], each['severity']) for each in found],
-                         [('panel-word', 2), ('panel-syntax', 1)])
+                         [('panel_word', 2), ('panel_syntax', 1)])
         self.assertEqual(found[0]['range'], {'start': {'line': 1, 'character': 9},
                                              'end': {'line': 1, 'character': 11}})
         self.assertIn("did you mean 'add'?", found[0]['message'])
 
     def test_a_second_declaration_points_at_the_first(self):
         found = self.client.open(URI, '!!ARBfp1.0\nTEMP a;\nPARAM a = {1};\nEND\n')
-        self.assertEqual(found[0]['code'], 'redeclared-name')
+        self.assertEqual(found[0]['code'], 'redeclared_name')
         related = found[0]['relatedInformation'][0]['location']
         self.assertEqual(related['range']['start'], {'line': 1, 'character': 5})
 
@@ -157,7 +157,7 @@ class Diagnostics(Session):
             {'range': {'start': mark, 'end': {**mark, 'character': 3}}, 'text': 'ABS'})
         found = self.client.diagnostics(URI)
         self.assertEqual(found['version'], 2)
-        self.assertEqual([d['code'] for d in found['diagnostics']], ['undeclared-name'])
+        self.assertEqual([d['code'] for d in found['diagnostics']], ['undeclared_name'])
         self.assertEqual(found['diagnostics'][0]['range']['start'],
                          {'line': mark['line'], 'character': 9})
         self.client.change(URI, 3, {'text': PROGRAM})
@@ -194,7 +194,7 @@ class Diagnostics(Session):
         self.client.change(URI, 2, {'range': {'start': {'line': 1, 'character': 900},
                                               'end': {'line': 70, 'character': 3}},
                                     'text': '\nx'})
-        self.assertEqual(self.client.diagnostics(URI)['diagnostics'][0]['code'], 'text-after-end')
+        self.assertEqual(self.client.diagnostics(URI)['diagnostics'][0]['code'], 'text_after_end')
 
     def test_random_edits_leave_the_same_text(self):
         """After each of many edits, the server must find the same as in the new text opened again."""
@@ -234,10 +234,10 @@ class Diagnostics(Session):
         text = '!!ARBfp1.0\nTEMP a, b;\nMOV b, 1.0;\nMOV result.color, a;\nEND\n'
         found = self.client.open(URI, text)
         self.assertEqual([(d['code'], d['severity'], d['range']['start']) for d in found],
-                         [('unused-write', 2, {'line': 2, 'character': 4}),
-                          ('unwritten-temporary', 2, {'line': 3, 'character': 18})])
+                         [('unused_write', 2, {'line': 2, 'character': 4}),
+                          ('unwritten_temporary', 2, {'line': 3, 'character': 18})])
         report = self.client.request('arbiter/report', {'textDocument': {'uri': URI}})
-        self.assertEqual([d['id'] for d in report['diagnostics']], ['unused-write', 'unwritten-temporary'])
+        self.assertEqual([d['id'] for d in report['diagnostics']], ['unused_write', 'unwritten_temporary'])
 
     def test_a_card_without_fragment_programs(self):
         self.client.notify('workspace/didChangeConfiguration', {'settings': {'arbiter': {'profile': 'nv25'}}})
@@ -246,7 +246,7 @@ class Diagnostics(Session):
         for body in ('', chain):  # the second is over limits that say nothing of the card
             uri = f'file:///programless{len(body)}.fp'
             found = self.client.open(uri, f'!!ARBfp1.0\nTEMP a;\nMOV a, 1.0;\n{body}MOV result.color, a;\nEND\n')
-            self.assertEqual([(d['code'], d['message']) for d in found], [('over-native', said)])
+            self.assertEqual([(d['code'], d['message']) for d in found], [('over_native', said)])
         whole = {'start': {'line': 0, 'character': 0}, 'end': {'line': 9, 'character': 0}}
         hints = self.client.request('textDocument/inlayHint', {
             'textDocument': {'uri': 'file:///programless0.fp'}, 'range': whole})
@@ -259,7 +259,7 @@ class Diagnostics(Session):
         chain = ''.join(f'TEX a, {"fragment.texcoord[0]" if i == 0 else "a"}, texture[0], 2D;\n'
                         'MUL a, a, a;\n' for i in range(5))
         found = self.client.open(URI, f'!!ARBfp1.0\nTEMP a;\n{chain}MOV result.color, a;\nEND\n')
-        over = [d for d in found if d['code'] == 'over-native']
+        over = [d for d in found if d['code'] == 'over_native']
         self.assertTrue(over, found)
         self.assertEqual({d['severity'] for d in over}, {2})
         self.assertIn('5 of 4 TEX indirections', over[0]['message'])
@@ -299,7 +299,7 @@ class Diagnostics(Session):
     def test_texts_that_are_not_whole(self):
         found = self.client.open(URI, 'TEMP a;\nMOV a, b;\n')
         self.assertEqual([d['code'] for d in found],
-                         ['header-missing', 'undeclared-name', 'end-missing'])
+                         ['header_missing', 'undeclared_name', 'end_missing'])
         for text in ('', '!', '!!ARBfp1.0', '!!ARBfp1.', '\n\n', '#', '!!ARBfp1.0\nMOV'):
             self.assertTrue(self.client.open(URI, text), repr(text))
             for end in range(len(text) + 1):
@@ -310,7 +310,7 @@ class Diagnostics(Session):
 
     def test_a_text_over_the_limit(self):
         found = self.client.open(URI, '!!ARBfp1.0\n' + '#' * (1 << 20))
-        self.assertEqual([d['code'] for d in found], ['text-too-long'])
+        self.assertEqual([d['code'] for d in found], ['text_too_long'])
         self.client.request('textDocument/documentSymbol', {'textDocument': {'uri': URI}})
 
     def test_several_texts(self):
@@ -325,7 +325,7 @@ class Diagnostics(Session):
 
     def test_the_language_without_a_header(self):
         self.assertEqual([d['code'] for d in self.client.open('file:///tmp/x.vp', 'ADDRESS a;\n')],
-                         ['header-missing', 'end-missing'])
+                         ['header_missing', 'end_missing'])
         self.assertIn('MOV',
                       self.complete('StartOutputPass;\n|', uri='file:///tmp/x.atifs'))
 

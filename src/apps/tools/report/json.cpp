@@ -13,13 +13,15 @@ namespace arbiter::tools {
 namespace {
 
 void writeSummary(JsonWriter &json, const ProgramSet &set) {
-  const std::size_t fits = set.count(Verdict::Fits), over = set.count(Verdict::Over);
+  const auto count = [&](FileStatus status, Verdict verdict) {
+    json.key(name(status)).value(std::uint64_t(set.count(verdict)));
+  };
   json.key("summary").beginObject();
   json.key("programs").value(std::uint64_t(set.programs.size()));
-  json.key("valid").value(std::uint64_t(fits + over));
-  json.key("fit").value(std::uint64_t(fits)).key("do_not_fit").value(std::uint64_t(over));
-  json.key("invalid").value(std::uint64_t(set.count(Verdict::Invalid)));
-  json.key("unreadable").value(std::uint64_t(set.count(Verdict::Unreadable)));
+  count(FileStatus::Valid, Verdict::Fits);
+  count(FileStatus::OverNative, Verdict::Over);
+  count(FileStatus::Invalid, Verdict::Invalid);
+  count(FileStatus::Unreadable, Verdict::Unreadable);
   json.endObject();
 }
 
@@ -64,23 +66,9 @@ void writeCaptured(JsonWriter &json, const CapturedProgram &program) {
   json.key("frames").value(program.frames).key("draws").value(program.draws).endObject();
 }
 
-const char *verdictName(Verdict verdict) {
-  switch (verdict) {
-  case Verdict::Fits:
-    return "fits";
-  case Verdict::Over:
-    return "does-not-fit";
-  case Verdict::Invalid:
-    return "invalid";
-  case Verdict::Unreadable:
-    return "unreadable";
-  }
-  return "";
-}
-
 void writeProgram(JsonWriter &json, const ProgramSet &set, const ReportedProgram &program) {
   json.beginObject();
-  json.key("name").value(program.file.title()).key("verdict").value(verdictName(program.verdict));
+  json.key("name").value(program.file.title());
   json.key("refused").value(program.refused);
   if (program.captured >= 0)
     writeCaptured(json, set.capture.programs[std::size_t(program.captured)]);

@@ -72,7 +72,7 @@ void admitRefused(ReportedProgram &program) {
   if (!result.ok())
     return; // the first result has all errors
   program.refused = true;
-  file.status = result.underNativeLimits ? FileStatus::Valid : FileStatus::OverNative;
+  file.status = FileStatus::OverNative; // over the API's limits, and so over the card's
   file.result = std::move(result);
 }
 

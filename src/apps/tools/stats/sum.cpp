@@ -17,21 +17,18 @@ using Counts = std::map<std::string, std::uint64_t>;
 
 constexpr int kFirstSchema = 2; // the first with members of these names
 
-/// Words of paths in files of schema 2.
-constexpr std::pair<std::string_view, std::string_view> kEarlier[] = {
-    {"host_glsl", "host-glsl"},
-    {"host_assembly", "host-assembly"},
-    {"recorded", "recorded-in-list"}};
+/// Returns the word of a path or a reason. Files of schema 3 have hyphens in it, and those of schema
+/// 2 another word for one path.
+std::string wordNow(std::string word) {
+  std::replace(word.begin(), word.end(), '-', '_');
+  return word == "recorded" ? "recorded_in_list" : word;
+}
 
 void addCounts(Counts &counts, const Json &from) {
   for (const auto &[name, count] : from.items()) {
     if (!count.is_number_unsigned() || count == 0u)
       continue;
-    std::string word = name;
-    for (const auto &[earlier, now] : kEarlier)
-      if (name == earlier)
-        word = now;
-    counts[word] += count.get<std::uint64_t>();
+    counts[wordNow(name)] += count.get<std::uint64_t>();
   }
 }
 

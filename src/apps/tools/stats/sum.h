@@ -14,11 +14,11 @@ struct Figures {
   std::uint64_t programs = 0;                 ///< texts that were loaded, refused ones too
   std::uint64_t overNative = 0;               ///< of those that loaded, over the native limits
   std::uint64_t refused = 0;                  ///< of those, refused by the profile alone
-  std::map<std::string, std::uint64_t> draws; ///< by path: "host-glsl"
-  std::map<std::string, std::uint64_t> givenToHost; ///< by reason: "not-compiled"
+  std::map<std::string, std::uint64_t> draws; ///< by path: "host_glsl"
+  std::map<std::string, std::uint64_t> givenToHost; ///< by reason: "not_compiled"
 
   void add(const Figures &others);
-  /// Returns "frames 3  programs 2  rasterizer 120  host-glsl 3", with the words of the figures in
+  /// Returns "frames 3  programs 2  rasterizer 120  host_glsl 3", with the words of the figures in
   /// the frame.
   [[nodiscard]] std::string line() const;
   /// Returns "compiling 3  look 1", most first; empty: the rasterizer gave nothing to the host.

@@ -77,7 +77,7 @@ TEST(AtiParser, DiagnosticsAreBounded) {
     text += "FOO r9;\n";
   EXPECT_LE(parse(text, eightUnits()).diagnostics.size(), kMaxDiagnostics);
   EXPECT_EQ(parse(std::string(kMaxTextBytes + 1, ' '), eightUnits()).diagnostics.at(0).id,
-            std::string("text-too-long"));
+            std::string("text_too_long"));
 }
 
 } // namespace

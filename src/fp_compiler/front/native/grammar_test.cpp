@@ -52,11 +52,11 @@ TEST(NativeGrammar, TheHeaderDecidesAndItsTargetMustFit) {
   EXPECT_EQ(check("!!ARBfp1.0\nEND\n", nvidiaLanguages()).native.language,
             ir::NativeLanguage::None);
   const CheckResult other = checkProgram(ir::Language::ArbVertex, fragment, nvidiaLanguages());
-  EXPECT_EQ(firstError(other), "native-header");
+  EXPECT_EQ(firstError(other), "native_header");
   EXPECT_EQ(other.errorPosition(), 2);
   EXPECT_EQ(firstError(checkProgram(ir::Language::ArbFragment, "!!VSP1.0\nMOV c[0], v[0];\nEND\n",
                                     nvidiaLanguages())),
-            "native-header");
+            "native_header");
   for (const auto &[header, position] : {std::pair("!!FP1.1", 6),
                                          {"!!FP2.0", 4},
                                          {"!!FCP1.0", 3},
@@ -65,7 +65,7 @@ TEST(NativeGrammar, TheHeaderDecidesAndItsTargetMustFit) {
                                          {"!!VSP1.1", 7}}) {
     const std::string text = std::string(header) + "\nEND\n";
     const CheckResult result = check(text, nvidiaLanguages());
-    EXPECT_EQ(firstError(result), "native-header") << text;
+    EXPECT_EQ(firstError(result), "native_header") << text;
     EXPECT_EQ(result.errorPosition(), position) << text;
     EXPECT_NE(result.errorString(text).find("!!FP1.0, !!VP1.0"), std::string::npos);
   }
@@ -75,54 +75,54 @@ TEST(NativeGrammar, NothingIsOfferedWithoutTheOptions) {
   CompileOptions none = nvidiaLanguages();
   none.limits.nvOptions = 0;
   const std::string text = "!!VP1.0\nMOV o[HPOS], v[OPOS];\nEND\n";
-  EXPECT_EQ(firstError(check(text, none)), "header-missing");
+  EXPECT_EQ(firstError(check(text, none)), "header_missing");
 }
 
 TEST(NativeGrammar, RegistersOfFragments) {
   judgeFp1({{"MOV R31, f[WPOS]; MOV H63, f[COL1];", ""},
-            {"MOV @R32, f[COL0];", "native-register"},
-            {"MOV @H64, f[COL0];", "native-register"},
-            {"MOV R0, @R32;", "native-register"},
-            {"MOV R0, f[@FACE];", "unknown-binding"},
-            {"MOV R0, f[@TEX8];", "unknown-binding"},
-            {"MOV R0, @fragment.color;", "undeclared-name"},
+            {"MOV @R32, f[COL0];", "native_register"},
+            {"MOV @H64, f[COL0];", "native_register"},
+            {"MOV R0, @R32;", "native_register"},
+            {"MOV R0, f[@FACE];", "unknown_binding"},
+            {"MOV R0, f[@TEX8];", "unknown_binding"},
+            {"MOV R0, @fragment.color;", "undeclared_name"},
             {"MOV R0, p[63];", ""},
-            {"MOV R0, p[@64];", "parameter-index"},
+            {"MOV R0, p[@64];", "parameter_index"},
             {"ADDC RC, R0, R1; ADDC HC.x, R0, R1;", ""},
             {"MOVC @CC, R0;", "syntax"},
-            {"MOV R0, @RC;", "write-only-source"},
-            {"MOV R1, @o[COLR];", "write-only-source"},
-            {"MOV @f[COL0], R0;", "read-only-destination"},
-            {"MOV @p[0], R0;", "read-only-destination"},
-            {"MOV o[@COLX], R0;", "unknown-binding"}});
+            {"MOV R0, @RC;", "write_only_source"},
+            {"MOV R1, @o[COLR];", "write_only_source"},
+            {"MOV @f[COL0], R0;", "read_only_destination"},
+            {"MOV @p[0], R0;", "read_only_destination"},
+            {"MOV o[@COLX], R0;", "unknown_binding"}});
 }
 
 TEST(NativeGrammar, ResultsOfFragments) {
-  judgeLanguage("!!FP1.0", {{"MOV o[COLR], R0; MOV o[@COLH], R0;", "native-outputs"},
+  judgeLanguage("!!FP1.0", {{"MOV o[COLR], R0; MOV o[@COLH], R0;", "native_outputs"},
                             {"MOV o[DEPR].z, 0.5;", ""},
-                            {"MOV R0, f[COL0]; @", "native-outputs"}}); // NVIDIA loads the last one
+                            {"MOV R0, f[COL0]; @", "native_outputs"}}); // NVIDIA loads the last one
 }
 
 TEST(NativeGrammar, OneAttributeAndOneParameterAnInstruction) {
-  judgeFp1({{"ADD R0, f[TEX0], @f[TEX1];", "native-operands"},
+  judgeFp1({{"ADD R0, f[TEX0], @f[TEX1];", "native_operands"},
             {"ADD R0, f[TEX0], -f[TEX0].x;", ""},
-            {"ADD R0, p[0], @p[1];", "native-operands"},
+            {"ADD R0, p[0], @p[1];", "native_operands"},
             {"MAD R0, p[0], p[0].x, -p[0];", ""},
             {"MUL R0, f[COL0], p[3];", ""},
             {"MAD R0, R1, 2, -1;", ""},
             {"ADD R0, {1,2,3,4}, 4;", ""},
-            {"ADD R0, {1,2,3,4}, -@4;", "native-operands"},
-            {"ADD R0, {1,2,3,4}, |-@4|;", "native-operands"},
-            {"ADD R0, {1,2,3,4}, @{4,5,6,7}.x;", "native-operands"},
+            {"ADD R0, {1,2,3,4}, -@4;", "native_operands"},
+            {"ADD R0, {1,2,3,4}, |-@4|;", "native_operands"},
+            {"ADD R0, {1,2,3,4}, @{4,5,6,7}.x;", "native_operands"},
             {"DECLARE a; ADD R0, a, a.x;", ""},
-            {"DECLARE a; DECLARE b; ADD R0, a, @b;", "native-operands"},
-            {"MAD R0, p[0], @2, R1;", "native-operands"}});
+            {"DECLARE a; DECLARE b; ADD R0, a, @b;", "native_operands"},
+            {"MAD R0, p[0], @2, R1;", "native_operands"}});
   for (const char *header : {"!!VP1.0", "!!VP1.1", "!!VP2.0"})
-    judgeVp(header, {{"ADD R0, c[0], @c[1];", "native-operands"},
+    judgeVp(header, {{"ADD R0, c[0], @c[1];", "native_operands"},
                      {"ADD R0, c[0], -c[0];", ""},
-                     {"ARL A0.x, v[0].x; ADD R0, c[A0.x], @c[0];", "native-operands"},
+                     {"ARL A0.x, v[0].x; ADD R0, c[A0.x], @c[0];", "native_operands"},
                      {"ARL A0.x, v[0].x; ADD R0, c[A0.x+1], c[A0.x+1];", ""},
-                     {"ADD R0, v[0], @v[1];", "native-operands"},
+                     {"ADD R0, v[0], @v[1];", "native_operands"},
                      {"ADD R0, v[0], v[OPOS];", ""}});
 }
 
@@ -134,24 +134,24 @@ TEST(NativeGrammar, RegisterHalves) {
     return text;
   };
   judgeLanguage("!!FP1.0", {{moves('R', 31) + "MOV o[COLR], R0;", ""},
-                            {moves('R', 32) + "MOV @o[COLR], R0;", "limit-temporaries"},
+                            {moves('R', 32) + "MOV @o[COLR], R0;", "limit_temporaries"},
                             {moves('H', 63) + "MOV o[COLH], H0;", ""},
-                            {moves('H', 64) + "MOV @o[COLH], H0;", "limit-temporaries"}});
+                            {moves('H', 64) + "MOV @o[COLH], H0;", "limit_temporaries"}});
 }
 
 TEST(NativeGrammar, NamedParametersAndConstants) {
   judgeFp1({{"MOV R0, 1; DECLARE a; ADD R0, R0, a;", ""},
-            {"DECLARE a; DECLARE @a;", "redeclared-name"},
+            {"DECLARE a; DECLARE @a;", "redeclared_name"},
             {"DEFINE a = 2; DEFINE b = a; DEFINE v = {1, -2, a}; DEFINE w = v; MOV R0, -w.x;", ""},
             {"DEFINE a = 2; MOV R0, |-a|;", ""},
             {"DEFINE a = 2; MOV R0, a@.x;", "syntax"},
             {"DECLARE a = {1,2}; MOV R0, a.w; DECLARE b = -0.5; RCP R0, b.x;", ""},
             {"DECLARE a; DEFINE b = @a;", "syntax"},
-            {"MOV R0, @zzz;", "undeclared-name"},
-            {"DECLARE a; MOV @a, R0;", "read-only-destination"},
-            {"DECLARE @TEX0;", "reserved-name"},
+            {"MOV R0, @zzz;", "undeclared_name"},
+            {"DECLARE a; MOV @a, R0;", "read_only_destination"},
+            {"DECLARE @TEX0;", "reserved_name"},
             {"DECLARE TEX16; DECLARE R32; DECLARE EQ; MOV R0, R32;", ""},
-            {"DECLARE @R5;", "reserved-name"},
+            {"DECLARE @R5;", "reserved_name"},
             {"DECLARE ADD; DECLARE ADDH_SAT; DECLARE END; MOV R0, ADD; ADD R0, END, R0;", ""},
             {"DECLARE $a_1; MOV R0, $a_1;", ""},
             {"DEFINE a@;", "syntax"}});
@@ -161,22 +161,22 @@ TEST(NativeGrammar, InstructionsOfFragments) {
   for (const char *word : {"ABS", "CMP", "SWZ", "SCS", "XPD", "DPH", "TXB", "TXL", "NRM", "DIV",
                            "DP2", "IF", "ADD_SSAT", "COSX", "PK2HC", "KILC", "EXP", "OPTION"})
     judgeFp1({{"@" + std::string(word) + " R0, R1;",
-               std::string_view(word) == "OPTION" ? "unsupported-option" : "unknown-instruction"}});
+               std::string_view(word) == "OPTION" ? "unsupported_option" : "unknown_instruction"}});
   judgeFp1({{"ADDX_SAT R0, R1, R1; ADDRC H0, R0, R0; UP2H_SAT R0, R1.x; PK4UB R0.x, R1;", ""},
             {"KIL EQ.x; KIL NE; KIL (EQ.x);", "syntax"},
             {"KIL @R0;", "syntax"},
-            {"RCP R0, R1@;", "scalar-suffix"},
+            {"RCP R0, R1@;", "scalar_suffix"},
             {"RCP R0, |R1.x|; RCP R0, 2; RCP R0, -|{1,2}.y|;", ""},
             {"MOV R0, -|-R1|; MOV R0, +1.5e1; MOV R0, .5; MOV R0, 5.; MOV R0, -{1,2}.wzyx;", ""},
-            {"MOV R0.@r, R1;", "bad-mask"},
-            {"MOV R0, R1.@rgba;", "bad-swizzle"},
-            {"MOV R0 (GT.@xy), R1;", "bad-swizzle"},
+            {"MOV R0.@r, R1;", "bad_mask"},
+            {"MOV R0, R1.@rgba;", "bad_swizzle"},
+            {"MOV R0 (GT.@xy), R1;", "bad_swizzle"},
             {"MOV R0.xy (GT.x), R1;", ""},
             {"SFL R0@;", "syntax"},
             {"TEX R0, R1, TEX15, 2D; TXP R0, R1, TEX15, 2D; TXD R0, R1, R1, R1, TEX3, CUBE;", ""},
-            {"TEX R0, R1, @TEX16, 2D;", "image-unit"},
-            {"TEX R0, R1, TEX1, @SHADOW2D;", "unknown-target"},
-            {"TEX R0, R1, TEX0, 2D; TEX R0, R1, TEX0, @3D;", "target-conflict"}});
+            {"TEX R0, R1, @TEX16, 2D;", "image_unit"},
+            {"TEX R0, R1, TEX1, @SHADOW2D;", "unknown_target"},
+            {"TEX R0, R1, TEX0, 2D; TEX R0, R1, TEX0, @3D;", "target_conflict"}});
 }
 
 TEST(NativeGrammar, RegistersOfVertices) {
@@ -188,26 +188,26 @@ TEST(NativeGrammar, RegistersOfVertices) {
       return LanguageRow{statement, second ? "" : error};
     };
     judgeVp(header, {{"MOV R11, c[95]; MOV o[TEX7], v[TEX7]; MOV R0, v[15];", ""},
-                     only2("MOV R0, c[@96];", "parameter-index"),
-                     {"MOV R0, c[@256];", "parameter-index"},
-                     only2("MOV @R12, v[0];", "native-register"),
-                     {"MOV @R16, v[0];", "native-register"},
-                     {"MOV R0, v[@16];", "attribute-index"},
-                     {"MOV R0, @o[HPOS];", "write-only-source"},
-                     {"MOV @c[0], v[0];", "read-only-destination"},
-                     {"MOV R0.@r, v[0];", "bad-mask"},
+                     only2("MOV R0, c[@96];", "parameter_index"),
+                     {"MOV R0, c[@256];", "parameter_index"},
+                     only2("MOV @R12, v[0];", "native_register"),
+                     {"MOV @R16, v[0];", "native_register"},
+                     {"MOV R0, v[@16];", "attribute_index"},
+                     {"MOV R0, @o[HPOS];", "write_only_source"},
+                     {"MOV @c[0], v[0];", "read_only_destination"},
+                     {"MOV R0.@r, v[0];", "bad_mask"},
                      {"MOV R0, @1.0;", "syntax"}, // NVIDIA takes it
-                     only2("MOV o[@CLP5].x, v[0].x;", "unknown-binding"),
-                     {"MOV o[@CLP6].x, v[0].x;", "unknown-binding"},
-                     {"MOV o[@TEX8], v[0];", "unknown-binding"},
+                     only2("MOV o[@CLP5].x, v[0].x;", "unknown_binding"),
+                     {"MOV o[@CLP6].x, v[0].x;", "unknown_binding"},
+                     {"MOV o[@TEX8], v[0];", "unknown_binding"},
                      {"ARL A0.x, v[0].x; MOV R0, c[A0.x+63]; MOV R0, c[A0.x-64];", ""},
-                     only2("ARL A0.x, v[0].x; MOV R0, c[A0.x+@64];", "relative-offset"),
-                     only2("ARL A0.x, v[0].x; MOV R0, c[A0.x-@65];", "relative-offset"),
-                     {"ARL A0.x, v[0].x; MOV R0, c[A0.x+@256];", "relative-offset"},
-                     only2("ARL A0.@y, v[0].x; MOV R0, c[A0.x];", "address-component"),
+                     only2("ARL A0.x, v[0].x; MOV R0, c[A0.x+@64];", "relative_offset"),
+                     only2("ARL A0.x, v[0].x; MOV R0, c[A0.x-@65];", "relative_offset"),
+                     {"ARL A0.x, v[0].x; MOV R0, c[A0.x+@256];", "relative_offset"},
+                     only2("ARL A0.@y, v[0].x; MOV R0, c[A0.x];", "address_component"),
                      only2("ARL @A1.x, v[0].x;", "syntax"),
                      only2("ARL A0@, v[0].x;", "syntax"),
-                     {"MOV R0, @A0.x;", "address-register"}});
+                     {"MOV R0, @A0.x;", "address_register"}});
   }
 }
 
@@ -215,23 +215,23 @@ TEST(NativeGrammar, InstructionsOfVertices) {
   for (const char *statement : {"XPD R0, R1, R1", "POW R0, R1.x, R1.y", "TEX R0, v[8], TEX0, 2D",
                                 "LRP R0, R1, R1, R1", "MOV_SAT R0, R1", "MOVH R0, R1"})
     for (const char *header : {"!!VP1.0", "!!VP1.1", "!!VP2.0"})
-      judgeVp(header, {{"@" + std::string(statement) + ";", "unknown-instruction"}});
+      judgeVp(header, {{"@" + std::string(statement) + ";", "unknown_instruction"}});
   for (const char *statement : {"SUB R0, R1, R2", "ABS R0, R1", "DPH R0, R1, R1", "RCC R0, R1.x"}) {
-    judgeVp("!!VP1.0", {{"@" + std::string(statement) + ";", "unknown-instruction"}});
+    judgeVp("!!VP1.0", {{"@" + std::string(statement) + ";", "unknown_instruction"}});
     judgeVp("!!VP1.1", {{std::string(statement) + ";", ""}});
     judgeVp("!!VP2.0", {{std::string(statement) + ";", ""}});
   }
   for (const char *statement : {"MOVC CC, v[0]", "EX2 R0, v[0].x", "SSG R0, v[0]", "FLR R0, R1",
                                 "ARR A1, v[0]", "ARA A0, A1", "RET"}) {
-    judgeVp("!!VP1.1", {{"@" + std::string(statement) + ";", "unknown-instruction"}});
+    judgeVp("!!VP1.1", {{"@" + std::string(statement) + ";", "unknown_instruction"}});
     judgeVp("!!VP2.0", {{std::string(statement) + ";", ""}});
   }
   judgeVp("!!VP1.0", {{"MOV R0, @|v[0]|;", "syntax"}, {"MOV R0, @+R1;", "syntax"}});
   judgeVp("!!VP1.1", {{"MOV R0, @|v[0]|;", "syntax"}, {"MOV R0, +R1; ADD R0, +R0, -R1;", ""}});
   judgeVp("!!VP2.0", {{"MOV R0.xy (LT.x), -|+v[0].x|; BRA l (EQ.x); l: MOV R0, v[0];", ""},
-                      {"BRA @nowhere;", "undeclared-name"},
-                      {"l: @l: MOV R0, R1;", "redeclared-name"},
-                      {"CAL s; RET; s: @CAL s; RET;", "flow-control"}});
+                      {"BRA @nowhere;", "undeclared_name"},
+                      {"l: @l: MOV R0, R1;", "redeclared_name"},
+                      {"CAL s; RET; s: @CAL s; RET;", "flow_control"}});
 }
 
 TEST(NativeGrammar, PositionInvariance) {
@@ -240,50 +240,50 @@ TEST(NativeGrammar, PositionInvariance) {
     judgeLanguage(header + option,
                   {{"MOV o[COL0], v[COL0];", ""},
                    {"ARL A0.x, v[0].x; MOV o[COL0], c[A0.x];", ""},
-                   {"MOV o[@HPOS], v[0];", "invariant-position"},
-                   {"MOV R0, v[0]; @OPTION NV_position_invariant;", "late-option"}});
+                   {"MOV o[@HPOS], v[0];", "invariant_position"},
+                   {"MOV R0, v[0]; @OPTION NV_position_invariant;", "late_option"}});
     judgeLanguage(header,
-                  {{"OPTION @ARB_position_invariant; MOV o[COL0], v[0];", "unsupported-option"},
-                   {"MOV o[COL0], v[COL0]; @", "native-outputs"}}); // NVIDIA loads it
+                  {{"OPTION @ARB_position_invariant; MOV o[COL0], v[0];", "unsupported_option"},
+                   {"MOV o[COL0], v[COL0]; @", "native_outputs"}}); // NVIDIA loads it
   }
   judgeLanguage("!!VP1.0",
-                {{"@OPTION NV_position_invariant; MOV o[HPOS], v[0];", "unsupported-option"}});
+                {{"@OPTION NV_position_invariant; MOV o[HPOS], v[0];", "unsupported_option"}});
 }
 
 TEST(NativeGrammar, InstructionLimits) {
   const auto adds = [](std::size_t count) { return repeat("ADD R0, R0, R1;\n", count); };
   for (const char *header : {"!!VP1.0", "!!VP1.1"})
-    judgeVp(header, {{adds(127), ""}, {adds(127) + "@ADD R0, R0, R1;", "limit-instructions"}});
-  judgeVp("!!VP2.0", {{adds(255), ""}, {adds(255) + "@ADD R0, R0, R1;", "limit-instructions"}});
+    judgeVp(header, {{adds(127), ""}, {adds(127) + "@ADD R0, R0, R1;", "limit_instructions"}});
+  judgeVp("!!VP2.0", {{adds(255), ""}, {adds(255) + "@ADD R0, R0, R1;", "limit_instructions"}});
   judgeLanguage("!!VP1.1\nOPTION NV_position_invariant;",
-                {{adds(124), ""}, {adds(124) + "@ADD R0, R0, R1;", "limit-instructions"}});
+                {{adds(124), ""}, {adds(124) + "@ADD R0, R0, R1;", "limit_instructions"}});
   judgeVsp({{"MOV c[0], v[0];" + adds(127), ""},
-            {"MOV c[0], v[0];" + adds(127) + "@ADD R0, R0, R1;", "limit-instructions"}});
+            {"MOV c[0], v[0];" + adds(127) + "@ADD R0, R0, R1;", "limit_instructions"}});
   CompileOptions options = nvidiaLanguages();
   options.limits.api.instructions = 64; // the target's limit is that of fragment programs
   const std::string text = "!!FP1.0\n" + adds(64) + "MOV o[COLR], R0;\nEND\n";
-  EXPECT_EQ(firstError(check(text, options)), "limit-instructions");
+  EXPECT_EQ(firstError(check(text, options)), "limit_instructions");
 }
 
 TEST(NativeGrammar, StatePrograms) {
   judgeVsp({{"MOV c[0], v[0];", ""},
             {"ADD c[0], c[0], v[0];", ""},
             {"ARL A0.x, v[0].x; MOV c[0], c[A0.x+1];", ""},
-            {"MOV R0, v[0]; @", "native-outputs"},   // NVIDIA loads it
-            {"MOV c[0], v[@1];", "attribute-index"}, // NVIDIA takes it
+            {"MOV R0, v[0]; @", "native_outputs"},   // NVIDIA loads it
+            {"MOV c[0], v[@1];", "attribute_index"}, // NVIDIA takes it
             {"MOV c[0], v[@OPOS];", "syntax"},
             {"ARL A0.x, v[0].x; MOV c[@A0.x], v[0];", "syntax"},
-            {"MOV @o[COL0], v[0];", "native-register"},
-            {"MOV c[@96], v[0];", "parameter-index"},
-            {"@SUB c[0], v[0], v[0];", "unknown-instruction"},
-            {"@OPTION NV_position_invariant; MOV c[0], v[0];", "unsupported-option"}});
+            {"MOV @o[COL0], v[0];", "native_register"},
+            {"MOV c[@96], v[0];", "parameter_index"},
+            {"@SUB c[0], v[0], v[0];", "unknown_instruction"},
+            {"@OPTION NV_position_invariant; MOV c[0], v[0];", "unsupported_option"}});
 }
 
 TEST(NativeGrammar, WhatTheApiMustKnow) {
   const std::string fragment = "!!FP1.0\nDEFINE pi = 3;\nDECLARE a = {1,2};\nDECLARE b = 0.5;\n"
                                "DECLARE c;\nMUL R0, a, pi;\nMOV o[COLR], b;\nEND\n";
   EXPECT_EQ(firstError(check(fragment, nvidiaLanguages())),
-            "native-operands"); // a parameter, a constant
+            "native_operands"); // a parameter, a constant
   const std::string text = "!!FP1.0\nDEFINE pi = 3;\nDECLARE a = {1,2};\nDECLARE b = 0.5;\n"
                            "DECLARE c;\nMUL R0, a, R1;\nMOV o[COLR], b;\nEND\n";
   const CheckResult named = check(text, nvidiaLanguages());

@@ -12,7 +12,7 @@ namespace arbiter::fp::native {
 [[nodiscard]] std::optional<ir::Language> stageOfHeader(std::string_view text);
 
 /// Reports a header that has a target by stageOfHeader() but is not a language of \p target.
-/// \error native-header at the first byte that no language has, or after "!!" if another target has
+/// \error native_header at the first byte that no language has, or after "!!" if another target has
 /// the header
 void refuseHeader(ir::Language target, std::string_view text, Reporter &reporter);
 

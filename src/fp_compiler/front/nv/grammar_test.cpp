@@ -52,7 +52,7 @@ TEST(NvGrammar, AnOptionLoadsWhereTheProfileHasIt) {
     for (std::uint32_t offered = 0; offered <= 2; ++offered) {
       const CheckResult result = check(program, nvidiaOptions(offered));
       const bool loads = offered >= (second ? 2u : 1u);
-      EXPECT_EQ(firstError(result), loads ? "" : "unsupported-option") << program << offered;
+      EXPECT_EQ(firstError(result), loads ? "" : "unsupported_option") << program << offered;
       if (!loads) {
         EXPECT_EQ(result.errorPosition(), 18);
       }
@@ -65,28 +65,28 @@ TEST(NvGrammar, ThereAreNoMoreLabelsThanNumbersForThem) {
   for (int i = 0; i < 65535; ++i)
     many += "L" + std::to_string(i) + ":";
   EXPECT_EQ(firstError(check(text(kV2, many), nvidiaOptions(2))), "");
-  EXPECT_EQ(firstError(check(text(kV2, many + "M:"), nvidiaOptions(2))), "flow-control");
+  EXPECT_EQ(firstError(check(text(kV2, many + "M:"), nvidiaOptions(2))), "flow_control");
 }
 
 TEST(NvGrammar, OneOptionOfNvidiaOrTheSameTwice) {
   judge({{kF1, "OPTION NV_fragment_program; MOV result.color, 0.0;", ""},
-         {kF1, "OPTION @NV_fragment_program2; MOV result.color, 0.0;", "conflicting-nv-options"},
+         {kF1, "OPTION @NV_fragment_program2; MOV result.color, 0.0;", "conflicting_nv_options"},
          {kF2, "OPTION ARB_fog_linear; OPTION ARB_precision_hint_fastest; MOV result.color, 0.0;",
           ""},
-         {kV3, "OPTION @NV_vertex_program2; MOV result.position, 0.0;", "conflicting-nv-options"},
-         {kV2, "OPTION @NV_fragment_program; MOV result.position, 0.0;", "unsupported-option"}});
+         {kV3, "OPTION @NV_vertex_program2; MOV result.position, 0.0;", "conflicting_nv_options"},
+         {kV2, "OPTION @NV_fragment_program; MOV result.position, 0.0;", "unsupported_option"}});
 }
 
 TEST(NvGrammar, ShadowTargetsOfVertexPrograms) {
   const std::string sample =
       "TEMP r; TXL r, vertex.color, texture[0], SHADOW2D; MOV result.position, r;";
   judge({{kV3, "OPTION ARB_fragment_program_shadow; " + sample, ""},
-         {kV3, "TEMP r; TXL r, vertex.color, texture[0], @SHADOW2D;", "shadow-target"},
+         {kV3, "TEMP r; TXL r, vertex.color, texture[0], @SHADOW2D;", "shadow_target"},
          {kV2, "OPTION ARB_fragment_program_shadow; MOV result.position, 0.0;", ""}});
   const std::string_view alone = "!!ARBvp1.0\nOPTION ARB_fragment_program_shadow;\n"
                                  "MOV result.position, vertex.position;\nEND";
   EXPECT_EQ(firstError(check(alone, nvidiaOptions(2))), "");
-  EXPECT_EQ(firstError(check(alone, nvidiaOptions(1))), "unsupported-option")
+  EXPECT_EQ(firstError(check(alone, nvidiaOptions(1))), "unsupported_option")
       << "no vertex program samples there";
 }
 
@@ -95,7 +95,7 @@ TEST(NvGrammar, SuffixesOfNames) {
     return OptionRow{option, "TEMP a; " + statement + ";", ""};
   };
   const auto fails = [](std::string_view option, const std::string &statement) {
-    return OptionRow{option, "TEMP a; @" + statement + ";", "unknown-instruction"};
+    return OptionRow{option, "TEMP a; @" + statement + ";", "unknown_instruction"};
   };
   judge({loads(kF1, "ADDRC_SAT a, a, a"), loads(kF1, "ADDXC a, a, a"),
          loads(kF1, "CMPH a, a, a, a"), loads(kF1, "SINC a, a.x"), loads(kF1, "DDXHC_SAT a, a"),
@@ -108,17 +108,17 @@ TEST(NvGrammar, SuffixesOfNames) {
          fails(kF1, "PK2HC a, a"), fails(kF1, "PK2H_SAT a, a"), fails(kF1, "KILC a"),
          fails(kF1, "DP2A a, a, a, a"), fails(kF2, "NRMX a, a"), fails(kF2, "add a, a, a"),
          fails(kV2, "MOVC0 a, a"), fails(kV3, "MOV_SSAT a, a"), fails(kV3, "MOVH a, a")});
-  judge({{kF1, "TEMP a; @TEXR a, a, texture[0], 2D;", "unknown-instruction"},
-         {kV2, "TEMP a; @MOV_SAT a, a;", "unknown-instruction"}});
+  judge({{kF1, "TEMP a; @TEXR a, a, texture[0], 2D;", "unknown_instruction"},
+         {kV2, "TEMP a; @MOV_SAT a, a;", "unknown_instruction"}});
 }
 
 TEST(NvGrammar, NamesAreReservedUnderTheirOptionOnly) {
-  judge({{kF1, "TEMP @DDX;", "reserved-name"},
-         {kF1, "TEMP @ADDR;", "reserved-name"},
+  judge({{kF1, "TEMP @DDX;", "reserved_name"},
+         {kF1, "TEMP @ADDR;", "reserved_name"},
          {kF1, "TEMP IF, DP2, NRM, SHORT, EQ, CC, RC, HC; MOV SHORT, EQ;", ""},
-         {kF2, "TEMP @IF;", "reserved-name"},
-         {kF2, "TEMP @DP2;", "reserved-name"},
-         {kV2, "TEMP @SSGC;", "reserved-name"},
+         {kF2, "TEMP @IF;", "reserved_name"},
+         {kF2, "TEMP @DP2;", "reserved_name"},
+         {kV2, "TEMP @SSGC;", "reserved_name"},
          {kV2, "TEMP TEX, DDX, IF; MOV TEX, DDX;", ""}});
   const std::string plain = "!!ARBfp1.0\nTEMP DDX, ADDR, IF, SHORT; MOV DDX, IF;\nEND\n";
   EXPECT_TRUE(check(plain, nvidiaOptions(2)).ok());
@@ -127,11 +127,11 @@ TEST(NvGrammar, NamesAreReservedUnderTheirOptionOnly) {
 TEST(NvGrammar, ConditionsStandBehindTheMask) {
   judge({{kF1, "TEMP a; MOV a.xy (EQ.wzyx), 1.0;", ""},
          {kF1, "TEMP a; MOV a (GE.r), 1.0;", ""},
-         {kF1, "TEMP a; MOV a (NE.@xy), 1.0;", "bad-swizzle"},
+         {kF1, "TEMP a; MOV a (NE.@xy), 1.0;", "bad_swizzle"},
          {kF1, "TEMP a; MOV a (EQ)@.x, 1.0;", "syntax"},
          {kF1, "TEMP a; MOV a (@eq), 1.0;", "syntax"},
          {kF1, "TEMP a; MOV a (EQ@, 1.0;", "syntax"},
-         {kF1, "TEMP a; MOV @CC, a;", "undeclared-name"},
+         {kF1, "TEMP a; MOV @CC, a;", "undeclared_name"},
          {kV2, "TEMP a; MOV a (@EQ1.x), 1.0;", "syntax"},
          {kV3, "TEMP a; MOV a (EQ1.x), 1.0;", ""}});
 }
@@ -179,43 +179,43 @@ TEST(NvGrammar, NumbersTakeNoSuffix) {
   judge({{kF1, "TEMP a; POW a, 2.0, 3.0;", ""},
          {kF1, "TEMP a; RCP a, 2.0@.x;", "syntax"},
          {kF1, "TEMP a; RCP a, {1, 2, 3, 4}.y;", ""},
-         {kF1, "TEMP a; RCP a, a@;", "scalar-suffix"}});
+         {kF1, "TEMP a; RCP a, a@;", "scalar_suffix"}});
 }
 
 TEST(NvGrammar, Sizes) {
   judge({{kF1, "SHORT TEMP a; LONG TEMP b; SHORT OUTPUT c = result.color; MUL c, a, b;", ""},
-         {kF1, "@SHORT ATTRIB a = fragment.color;", "unknown-instruction"},
-         {kF1, "@SHORT LONG TEMP a;", "unknown-instruction"},
+         {kF1, "@SHORT ATTRIB a = fragment.color;", "unknown_instruction"},
+         {kF1, "@SHORT LONG TEMP a;", "unknown_instruction"},
          {kF1,
           "SHORT OUTPUT a = result.color; LONG OUTPUT b = result.color; MOV a, 1.0; MOV @b, 1.0;",
-          "result-size"},
-         {kF1, "SHORT OUTPUT a = result.color; MOV a, 1.0; MOV @result.color, 1.0;", "result-size"},
-         {kV2, "@SHORT TEMP a;", "unknown-instruction"}});
+          "result_size"},
+         {kF1, "SHORT OUTPUT a = result.color; MOV a, 1.0; MOV @result.color, 1.0;", "result_size"},
+         {kV2, "@SHORT TEMP a;", "unknown_instruction"}});
 }
 
 TEST(NvGrammar, BlocksFit) {
   judge({{kF2, "IF GT.x; MOV result.color, 1.0; ELSE; MOV result.color, 0.0; ENDIF;", ""},
          {kF2, "LOOP {4, 0, 1}; REP program.local[0].y; BRK (EQ.x); ENDREP; ENDLOOP;", ""},
          {kF2, "REP -|program.local[0]|; ENDREP;", ""},
-         {kF2, "TEMP a; REP @a; ENDREP;", "flow-control"},
+         {kF2, "TEMP a; REP @a; ENDREP;", "flow_control"},
          {kF2, "IF @(TR); ENDIF;", "syntax"},
-         {kF2, "IF TR; ELSE; @ELSE; ENDIF;", "flow-control"},
-         {kF2, "IF TR;", "flow-control"},
-         {kF2, "IF TR; REP 2; @ENDIF; ENDREP;", "flow-control"},
-         {kF2, "LOOP {1,0,0}; @ENDREP;", "flow-control"},
-         {kF2, "IF TR; @BRK; ENDIF;", "flow-control"},
+         {kF2, "IF TR; ELSE; @ELSE; ENDIF;", "flow_control"},
+         {kF2, "IF TR;", "flow_control"},
+         {kF2, "IF TR; REP 2; @ENDIF; ENDREP;", "flow_control"},
+         {kF2, "LOOP {1,0,0}; @ENDREP;", "flow_control"},
+         {kF2, "IF TR; @BRK; ENDIF;", "flow_control"},
          {kF2, "REP 2; BRK @EQ.x; ENDREP;", "syntax"},
-         {kF1, "@IF TR; ENDIF;", "unknown-instruction"}});
+         {kF1, "@IF TR; ENDIF;", "unknown_instruction"}});
 }
 
 TEST(NvGrammar, Labels) {
   judge({{kF2, "CAL a (GT.x); RET; a: b: MOV result.color, 1.0; RET (TR);", ""},
          {kF2, "TEMP a; CAL a; RET; a: MOV a, 1.0;", ""}, // NVIDIA's driver crashes
-         {kF2, "CAL @a;", "undeclared-name"},
-         {kF2, "a: @a: RET;", "redeclared-name"},
-         {kF2, "IF TR; @a: ENDIF; CAL a;", "flow-control"},
-         {kF2, "CAL a; a: @CAL a;", "flow-control"},
-         {kF2, "@BRA a; a: RET;", "unknown-instruction"},
+         {kF2, "CAL @a;", "undeclared_name"},
+         {kF2, "a: @a: RET;", "redeclared_name"},
+         {kF2, "IF TR; @a: ENDIF; CAL a;", "flow_control"},
+         {kF2, "CAL a; a: @CAL a;", "flow_control"},
+         {kF2, "@BRA a; a: RET;", "unknown_instruction"},
          {kV2, "BRA a (EQ.x); MOV result.position, 1.0; a: BRA b; b: RET;", ""},
          {kV2, "a: BRA a (NE.x);", ""},
          {kV2, "BRA a @EQ.x; a: RET;", "syntax"}});
@@ -223,15 +223,15 @@ TEST(NvGrammar, Labels) {
 
 TEST(NvGrammar, WhatAnAddressRegisterIndexes) {
   judge({{kF2, "LOOP {3,0,1}; MOV result.color, fragment.texcoord[A0.x + 3]; ENDLOOP;", ""},
-         {kF2, "MOV result.color, fragment.texcoord[A0.x + @10];", "relative-offset"},
+         {kF2, "MOV result.color, fragment.texcoord[A0.x + @10];", "relative_offset"},
          {kF2, "MOV result.color, fragment.texcoord[A0.x @- 1];", "syntax"},
-         {kF2, "ATTRIB a = fragment.texcoord[@A0.x];", "relative-addressing"},
+         {kF2, "ATTRIB a = fragment.texcoord[@A0.x];", "relative_addressing"},
          {kV2,
           "ADDRESS A; PARAM c[] = {1, 2}; ARL A.yw, vertex.color; MOV result.position, c[A.w + 1];",
           ""},
          {kV2, "ADDRESS A, B; ARL A, vertex.color; ARA B.xy, A;", ""},
          {kV2, "ADDRESS A, B; ARA B.xy, A@.x;", "syntax"},
-         {kV2, "ADDRESS A; MOV result.position, vertex.attrib[@A.x];", "relative-addressing"},
+         {kV2, "ADDRESS A; MOV result.position, vertex.attrib[@A.x];", "relative_addressing"},
          {kV3, "ADDRESS A; ARL A, vertex.color; MOV result.position, vertex.attrib[A.y + 1];", ""},
          {kV3, "ADDRESS A; ARL A, vertex.color; MOV result.texcoord[A.y], vertex.texcoord[A.x];",
           ""}});
@@ -239,10 +239,10 @@ TEST(NvGrammar, WhatAnAddressRegisterIndexes) {
 
 TEST(NvGrammar, TheStackOfAddresses) {
   judge({{kV3, "ADDRESS A; PUSHA A; POPA A; POPA A.xyzw (TR);", ""},
-         {kV3, "ADDRESS A; PUSHA A; POPA @A.x;", "bad-mask"},
-         {kV3, "ADDRESS A; PUSHA A; POPA A @(EQ.x);", "flow-control"},
+         {kV3, "ADDRESS A; PUSHA A; POPA @A.x;", "bad_mask"},
+         {kV3, "ADDRESS A; PUSHA A; POPA A @(EQ.x);", "flow_control"},
          {kV3, "ADDRESS A; PUSHA A@.x;", "syntax"},
-         {kV2, "ADDRESS A; @PUSHA A;", "unknown-instruction"}});
+         {kV2, "ADDRESS A; @PUSHA A;", "unknown_instruction"}});
 }
 
 TEST(NvGrammar, EveryOpcodeOfTheOptionsAndNoOther) {
@@ -272,8 +272,8 @@ TEST(NvGrammar, WeightIsGenericAttributeOne) {
   judge({{kV2, "MOV result.position, vertex.weight;", ""},
          {kV3, "MOV result.position, vertex.weight[0];", ""},
          {kV2, "ATTRIB w = vertex.weight; ADD result.position, w, vertex.attrib[1];", ""},
-         {kV2, "MOV result.position, vertex.weight[@1];", "attribute-index"},
-         {kV2, "MOV result.position, vertex.@matrixindex[0];", "attribute-extension"}});
+         {kV2, "MOV result.position, vertex.weight[@1];", "attribute_index"},
+         {kV2, "MOV result.position, vertex.@matrixindex[0];", "attribute_extension"}});
   // The same holds without an option, if the profile has them.
   const std::string plain = "!!ARBvp1.0\nMOV result.position, vertex.weight;\nEND\n";
   const CheckResult loads = check(plain, nvidiaOptions(1));
@@ -282,7 +282,7 @@ TEST(NvGrammar, WeightIsGenericAttributeOne) {
   EXPECT_EQ(loads.program->attributes[0].kind, ir::AttributeKind::Generic);
   EXPECT_EQ(loads.program->attributes[0].index, 1);
   EXPECT_EQ(loads.diagnostics.size(), 1u) << "a warning";
-  EXPECT_EQ(firstError(check(plain, nvidiaOptions(0))), "attribute-extension");
+  EXPECT_EQ(firstError(check(plain, nvidiaOptions(0))), "attribute_extension");
 }
 
 } // namespace

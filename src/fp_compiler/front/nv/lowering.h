@@ -28,7 +28,7 @@ struct NativeRules {
 /// \param start the label to begin at; without one the first statement
 /// \param sequences the attributes and results that addresses select from
 /// \param rules of the program's language; `language` is None for the options
-/// \error flow-control a recursive call, at the call; limit-instructions if inlined calls make more
+/// \error flow_control a recursive call, at the call; limit_instructions if inlined calls make more
 /// code than any program may have
 void lower(const std::vector<Statement> &statements, std::optional<std::uint16_t> start,
            const Sequences &sequences, Binder &binder, Reporter &reporter,

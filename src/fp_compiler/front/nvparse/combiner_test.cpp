@@ -176,7 +176,7 @@ TEST(CombinerText, ConstantsAreClampedWithAWarning) {
   ASSERT_TRUE(parsed.result.text) << parsed.said();
   EXPECT_EQ(parsed.value(0), (ir::Vec4{0, 0.5f, 1, 1}));
   ASSERT_EQ(parsed.result.diagnostics.size(), 1u);
-  EXPECT_EQ(parsed.result.diagnostics[0].id, std::string("combiner-range"));
+  EXPECT_EQ(parsed.result.diagnostics[0].id, std::string("combiner_range"));
 }
 
 TEST(CombinerText, EveryFormOfTheFinalColor) {
@@ -230,51 +230,51 @@ TEST(CombinerText, CommentsOfEveryForm) {
   const ParsedCombiners parsed(
       "# one\n// two\n/* three\n * more **/ out /* . */ . rgb = col0; // end");
   EXPECT_TRUE(parsed.result.text) << parsed.said();
-  expectError("out.rgb = col0; /* open", "invalid-character", "/");
+  expectError("out.rgb = col0; /* open", "invalid_character", "/");
 }
 
 TEST(CombinerText, EveryMistakeHasItsPlace) {
-  expectError("{ rgb { spare0 = discard; } } out.rgb = col0;", "combiner-register", "discard");
-  expectError("{ rgb { const0 = col0; } } out.rgb = col0;", "combiner-register", "const0");
-  expectError("{ rgb { fog = col0; } } out.rgb = col0;", "combiner-register", "fog");
-  expectError("{ rgb { spare0 = fog.a; } } out.rgb = col0;", "combiner-register", "fog.a");
-  expectError("{ alpha { spare0 = fog; } } out.rgb = col0;", "combiner-register", "fog");
-  expectError("{ rgb { spare0 = color_sum; } } out.rgb = col0;", "combiner-register", "color_sum");
-  expectError("{ rgb { spare0 = col0.b; } } out.rgb = col0;", "combiner-component", "col0.b");
-  expectError("{ alpha { spare0 = col0.rgb; } } out.rgb = col0;", "combiner-component", "col0.rgb");
-  expectError("{ rgb { spare0.a = col0; } } out.rgb = col0;", "combiner-component", "spare0.a");
-  expectError("{ alpha { spare0 = col0 . col1; } } out.rgb = col0;", "combiner-dot", ".");
-  expectError("{ rgb { spare0 = -unsigned(col0); } } out.rgb = col0;", "combiner-mapping",
+  expectError("{ rgb { spare0 = discard; } } out.rgb = col0;", "combiner_register", "discard");
+  expectError("{ rgb { const0 = col0; } } out.rgb = col0;", "combiner_register", "const0");
+  expectError("{ rgb { fog = col0; } } out.rgb = col0;", "combiner_register", "fog");
+  expectError("{ rgb { spare0 = fog.a; } } out.rgb = col0;", "combiner_register", "fog.a");
+  expectError("{ alpha { spare0 = fog; } } out.rgb = col0;", "combiner_register", "fog");
+  expectError("{ rgb { spare0 = color_sum; } } out.rgb = col0;", "combiner_register", "color_sum");
+  expectError("{ rgb { spare0 = col0.b; } } out.rgb = col0;", "combiner_component", "col0.b");
+  expectError("{ alpha { spare0 = col0.rgb; } } out.rgb = col0;", "combiner_component", "col0.rgb");
+  expectError("{ rgb { spare0.a = col0; } } out.rgb = col0;", "combiner_component", "spare0.a");
+  expectError("{ alpha { spare0 = col0 . col1; } } out.rgb = col0;", "combiner_dot", ".");
+  expectError("{ rgb { spare0 = -unsigned(col0); } } out.rgb = col0;", "combiner_mapping",
               "unsigned");
-  expectError("{ rgb { spare0 = col0; spare0 = col1; } } out.rgb = col0;", "combiner-outputs",
+  expectError("{ rgb { spare0 = col0; spare0 = col1; } } out.rgb = col0;", "combiner_outputs",
               "spare0");
   expectError("{ rgb { spare0 = col0; discard = col1; spare0 = sum(); } } out.rgb = col0;",
-              "combiner-outputs", "spare0");
-  expectError("{ rgb { spare0 = col0; spare1 = sum(); } } out.rgb = col0;", "combiner-block",
+              "combiner_outputs", "spare0");
+  expectError("{ rgb { spare0 = col0; spare1 = sum(); } } out.rgb = col0;", "combiner_block",
               "sum");
   expectError("{ rgb { spare0 = col0; spare1 = col1; tex0 = fog; } } out.rgb = col0;",
-              "combiner-block", "tex0");
-  expectError("{ rgb { } } out.rgb = col0;", "combiner-block", "}");
-  expectError("{ } out.rgb = col0;", "combiner-block", "}");
-  expectError("{ rgb { scale_by_two(); spare0 = col0; } } out.rgb = col0;", "combiner-block",
+              "combiner_block", "tex0");
+  expectError("{ rgb { } } out.rgb = col0;", "combiner_block", "}");
+  expectError("{ } out.rgb = col0;", "combiner_block", "}");
+  expectError("{ rgb { scale_by_two(); spare0 = col0; } } out.rgb = col0;", "combiner_block",
               "spare0");
-  expectError("{ rgb { spare0 = col0; } rgb { spare0 = col0; } } out.rgb = col0;", "combiner-twice",
+  expectError("{ rgb { spare0 = col0; } rgb { spare0 = col0; } } out.rgb = col0;", "combiner_twice",
               "rgb");
-  expectError("const0 = (0,0,0,0); const0 = (0,0,0,0); out.rgb = col0;", "combiner-twice",
+  expectError("const0 = (0,0,0,0); const0 = (0,0,0,0); out.rgb = col0;", "combiner_twice",
               "const0");
-  expectError("out.rgb = col0; out.rgb = col1;", "combiner-twice", "out");
-  expectError("out.rgb = col0; { rgb { spare0 = col0; } }", "combiner-order", "{");
-  expectError("{ rgb { spare0 = col0; } } const0 = (0,0,0,0); out.rgb = col0;", "combiner-order",
+  expectError("out.rgb = col0; out.rgb = col1;", "combiner_twice", "out");
+  expectError("out.rgb = col0; { rgb { spare0 = col0; } }", "combiner_order", "{");
+  expectError("{ rgb { spare0 = col0; } } const0 = (0,0,0,0); out.rgb = col0;", "combiner_order",
               "const0");
-  expectError("out.rgb = final_product;", "combiner-final", "final_product");
-  expectError("{ rgb { spare0 = col0; } }", "combiner-final", "");
-  expectError("out.rgb = lerp(color_sum, col0, col1);", "combiner-register",
+  expectError("out.rgb = final_product;", "combiner_final", "final_product");
+  expectError("{ rgb { spare0 = col0; } }", "combiner_final", "");
+  expectError("out.rgb = lerp(color_sum, col0, col1);", "combiner_register",
               "out.rgb = lerp(color_sum, col0, col1)");
-  expectError("out.rgb = expand(col0);", "combiner-mapping", "expand");
-  expectError("out.rgb = col0.b;", "combiner-component", "col0.b");
-  expectError("out.a = col0.rgb;", "combiner-component", "col0.rgb");
-  expectError("out.a = color_sum;", "combiner-register", "color_sum");
-  expectError("final_product = color_sum * col0; out.rgb = col0;", "combiner-register",
+  expectError("out.rgb = expand(col0);", "combiner_mapping", "expand");
+  expectError("out.rgb = col0.b;", "combiner_component", "col0.b");
+  expectError("out.a = col0.rgb;", "combiner_component", "col0.rgb");
+  expectError("out.a = color_sum;", "combiner_register", "color_sum");
+  expectError("final_product = color_sum * col0; out.rgb = col0;", "combiner_register",
               " = color_sum * col0");
   expectError("out.rgb = texture0;", "syntax", "texture0");
   expectError("out.rgb col0;", "syntax", "col0");
@@ -294,10 +294,10 @@ TEST(CombinerText, Limits) {
   const std::string stage = "{ rgb { spare0 = col0; } }\n";
   EXPECT_TRUE(ParsedCombiners(stage + stage + "out.rgb = spare0;", options).result.text);
   expectError(stage + stage + "{ rgb { spare0 = col1; } } out.rgb = col0;",
-              "limit-general-combiners", "{", options);
+              "limit_general_combiners", "{", options);
   expectError("{ const0 = (0,0,0,0); rgb { spare0 = const0; } } out.rgb = col0;",
-              "limit-stage-constants", "const0", options);
-  expectError("out.rgb = tex2;", "image-unit", "tex2", options);
+              "limit_stage_constants", "const0", options);
+  expectError("out.rgb = tex2;", "image_unit", "tex2", options);
   options.policy = LimitPolicy::Report;
   const ParsedCombiners reported(stage + stage + stage + "out.rgb = tex3;", options);
   ASSERT_TRUE(reported.result.text) << reported.said();
@@ -306,10 +306,10 @@ TEST(CombinerText, Limits) {
   std::string nine;
   for (int i = 0; i < 9; ++i)
     nine += stage;
-  expectError(nine + "out.rgb = col0;", "limit-general-combiners", "{");
+  expectError(nine + "out.rgb = col0;", "limit_general_combiners", "{");
   options = wholeCard();
   options.limits.generalCombiners = 0;
-  expectError("out.rgb = col0;", "not-offered", "!!RC1.0", options);
+  expectError("out.rgb = col0;", "not_offered", "!!RC1.0", options);
 }
 
 } // namespace

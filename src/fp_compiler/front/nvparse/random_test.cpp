@@ -151,7 +151,7 @@ TEST(NvparseTexts, DiagnosticsAreBounded) {
     EXPECT_LE(parse(language, text, wholeCard()).diagnostics.size(), kMaxDiagnostics);
     const std::string longest(kMaxTextBytes + 1, ' ');
     EXPECT_EQ(parse(language, longest, wholeCard()).diagnostics.at(0).id,
-              std::string("text-too-long"));
+              std::string("text_too_long"));
   }
 }
 

@@ -92,44 +92,44 @@ TEST(ShaderText, CombinersMayFollow) {
 }
 
 TEST(ShaderText, EveryMistakeHasItsPlace) {
-  expectShaderFinding("texture2d();", "shader-operation", "texture2d");
+  expectShaderFinding("texture2d();", "shader_operation", "texture2d");
   expectShaderFinding("texture_2d(tex0);", "syntax", "tex0");
   expectShaderFinding("texture_2d()", "syntax", "");
-  expectShaderFinding("texture_2d(); dependent_ar(tex1);", "shader-previous", "tex1");
-  expectShaderFinding("dependent_ar(tex0);", "shader-previous", "dependent_ar");
+  expectShaderFinding("texture_2d(); dependent_ar(tex1);", "shader_previous", "tex1");
+  expectShaderFinding("dependent_ar(tex0);", "shader_previous", "dependent_ar");
   expectShaderFinding("texture_2d(); dependent_ar(col0);", "syntax", "col0");
   expectShaderFinding("texture_2d(); offset_2d(tex0, 1, 2, 3);", "syntax", ")");
   expectShaderFinding("cull_fragment(LESS_THAN_ZERO);", "syntax", ")");
   expectShaderFinding("cull_fragment(LESS);", "syntax", "LESS");
-  expectShaderFinding("texture_2d(); dot_product_2d_2of2(tex0);", "shader-run",
+  expectShaderFinding("texture_2d(); dot_product_2d_2of2(tex0);", "shader_run",
                       "dot_product_2d_2of2");
   expectShaderFinding("texture_2d(); dot_product_3d_1of3(tex0); dot_product_2d_2of2(tex0);",
-                      "shader-run", "dot_product_2d_2of2");
-  expectShaderFinding("texture_2d(); dot_product_2d_1of2(tex0); texture_2d();", "shader-run",
+                      "shader_run", "dot_product_2d_2of2");
+  expectShaderFinding("texture_2d(); dot_product_2d_1of2(tex0); texture_2d();", "shader_run",
                       "texture_2d");
-  expectShaderFinding("texture_2d(); dot_product_2d_1of2(tex0);", "shader-run", "");
-  expectShaderFinding("nop(); nop(); nop(); nop(); texture_2d();", "limit-shader-units",
+  expectShaderFinding("texture_2d(); dot_product_2d_1of2(tex0);", "shader_run", "");
+  expectShaderFinding("nop(); nop(); nop(); nop(); texture_2d();", "limit_shader_units",
                       "texture_2d");
   expectShaderFinding("texture_2d(); ! !", "syntax", "!");
-  expectShaderFinding("nop(); dependent_ar(tex0);", "shader-inconsistent", "dependent_ar(tex0)",
+  expectShaderFinding("nop(); dependent_ar(tex0);", "shader_inconsistent", "dependent_ar(tex0)",
                       false);
 }
 
 TEST(ShaderText, Extensions) {
   CompileOptions options = wholeCard(4);
   options.limits.textureShaders = 1;
-  expectShaderFinding("texture_3d();", "limit-texture-shaders", "texture_3d", true, options);
+  expectShaderFinding("texture_3d();", "limit_texture_shaders", "texture_3d", true, options);
   options.limits.textureShaders = 2;
   EXPECT_TRUE(ParsedShaders("texture_3d();", options).result.text);
-  expectShaderFinding("texture_2d(); dot_product_1d(tex0);", "limit-texture-shaders",
+  expectShaderFinding("texture_2d(); dot_product_1d(tex0);", "limit_texture_shaders",
                       "dot_product_1d", true, options);
   expectShaderFinding("texture_2d(); dot_product(force_blue_to_one(tex0));",
-                      "limit-texture-shaders", "force_blue_to_one", true, options);
+                      "limit_texture_shaders", "force_blue_to_one", true, options);
   options.policy = LimitPolicy::Report;
   EXPECT_TRUE(ParsedShaders("texture_2d(); dot_product_1d(tex0);", options).result.text);
   options.policy = LimitPolicy::Enforce;
   options.limits.textureShaders = 0;
-  expectShaderFinding("texture_2d();", "not-offered", "!!TS1.0", true, options);
+  expectShaderFinding("texture_2d();", "not_offered", "!!TS1.0", true, options);
 }
 
 } // namespace

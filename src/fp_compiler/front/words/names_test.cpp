@@ -59,8 +59,8 @@ TEST(Names, WithoutAHeader) {
   const std::string text = "TEMP a;\nMOV b, a;\nEND\n";
   const Inspection found = inspectProgram(Language::ArbFragment, text, small());
   ASSERT_EQ(found.check.diagnostics.size(), 2u);
-  EXPECT_STREQ(found.check.diagnostics[0].id, "header-missing");
-  EXPECT_STREQ(found.check.diagnostics[1].id, "undeclared-name");
+  EXPECT_STREQ(found.check.diagnostics[0].id, "header_missing");
+  EXPECT_STREQ(found.check.diagnostics[1].id, "undeclared_name");
   // The plain check still reports only what the API should.
   EXPECT_EQ(checkProgram(Language::ArbFragment, text, small()).diagnostics.size(), 1u);
 }

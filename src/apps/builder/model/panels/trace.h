@@ -40,7 +40,7 @@ struct TraceRow {
   QList<TraceOperand> operands;
   TraceValue texel, coordinate;
   int unit = -1;     ///< of the sampled texel; -1: no sample
-  QStringList flags; ///< "nan", "inf", "unwritten", "over-one"
+  QStringList flags; ///< "nan", "inf", "unwritten", "over1"
   bool discarded = false;
 };
 

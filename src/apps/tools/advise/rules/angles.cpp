@@ -43,7 +43,7 @@ Proposal proposed(const Subject &subject, const Turn &turn) {
   draft.insert(turn.early, {"TEMP " + name, "SCS " + name + ".xy, " + angle});
   draft.replace(turn.early, copyOf(subject, turn.early, name));
   draft.replace(turn.late, copyOf(subject, turn.late, name));
-  return draft.about(turn.early, turn.late, "sine-and-cosine",
+  return draft.about(turn.early, turn.late, "sine_and_cosine",
                      "SCS gives the cosine and the sine of one angle at once");
 }
 

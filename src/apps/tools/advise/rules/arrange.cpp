@@ -114,7 +114,7 @@ Proposal proposed(const Subject &subject, const std::vector<Read> &reads, const 
     if (const auto text = Subject::spelled(name, operand, read.mask, false))
       draft.replaceOperand(read.instruction, read.operand, *text);
   }
-  return draft.about(reads[0].instruction, "swizzles-by-one-copy",
+  return draft.about(reads[0].instruction, "swizzles_by_one_copy",
                      "the card has no such swizzles of " + base +
                          " and copies for each: one copy in another order serves several");
 }

@@ -5,7 +5,7 @@ namespace arbiter::tools::advise {
 
 namespace {
 
-constexpr const char *kClampBySat = "clamp-by-sat";
+constexpr const char *kClampBySat = "clamp_by_sat";
 constexpr const char *kMessage =
     "MAX and MIN clamp to [0,1], which _SAT does within the instruction that computes the value";
 

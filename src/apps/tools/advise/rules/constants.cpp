@@ -10,8 +10,8 @@ namespace arbiter::tools::advise {
 
 namespace {
 
-constexpr const char *kWork = "constant-work";
-constexpr const char *kChain = "constant-chain";
+constexpr const char *kWork = "constant_work";
+constexpr const char *kChain = "constant_chain";
 
 bool isCopy(Opcode op) { return op == Opcode::Mov || op == Opcode::Swz; }
 

@@ -135,7 +135,7 @@ Proposals dotProducts(const Subject &subject) {
     Draft draft(subject);
     draft.replace(i, statementText(op, instruction.dst.saturate, subject.destination(i),
                                    {base, vectorText(numbers)}));
-    proposals.push_back(draft.about(summing.sum().first, i, "sum-by-dot-product",
+    proposals.push_back(draft.about(summing.sum().first, i, "sum_by_dot_product",
                                     std::string("a sum of one register's components is one ") +
                                         fp::ir::info(op).mnemonic,
                                     Nearness::Rounding));

@@ -57,7 +57,7 @@ void proposeMultiplyAdd(const Subject &subject, std::uint32_t sum, int operand,
   Draft draft(subject);
   draft.replace(sum, statementText(Opcode::Mad, subject.at(sum).dst.saturate,
                                    subject.destination(sum), {*a, *b, *c}));
-  proposals.push_back(draft.about(*product, sum, "multiply-add",
+  proposals.push_back(draft.about(*product, sum, "multiply_add",
                                   std::string("MUL and ") +
                                       fp::ir::info(subject.at(sum).op).mnemonic + " are one MAD"));
 }
@@ -77,7 +77,7 @@ void proposeBlend(const Subject &subject, std::uint32_t mad, int operand, Propos
   draft.replace(mad, statementText(Opcode::Lrp, subject.at(mad).dst.saturate,
                                    subject.destination(mad), {*weight, *from, *to}));
   proposals.push_back(
-      draft.about(*difference, mad, "linear-blend", "SUB and MAD are one LRP", Nearness::Rounding));
+      draft.about(*difference, mad, "linear_blend", "SUB and MAD are one LRP", Nearness::Rounding));
 }
 
 /// Proposes LRP for SUB d, 1, a; MUL t, d, c; MAD r, a, b, t.
@@ -99,7 +99,7 @@ void proposeWeights(const Subject &subject, std::uint32_t mad, Proposals &propos
       Draft draft(subject);
       draft.replace(mad, statementText(Opcode::Lrp, subject.at(mad).dst.saturate,
                                        subject.destination(mad), {*weight, *from, *to}));
-      proposals.push_back(draft.about(*rest, mad, "linear-blend",
+      proposals.push_back(draft.about(*rest, mad, "linear_blend",
                                       "a weight and 1 minus it are one LRP", Nearness::Rounding));
     }
   }
@@ -132,7 +132,7 @@ void proposeHomogeneous(const Subject &subject, std::uint32_t sum, int operand,
     Draft draft(subject);
     draft.replace(sum, statementText(Opcode::Dph, subject.at(sum).dst.saturate,
                                      subject.destination(sum), {*a, *b}));
-    proposals.push_back(draft.about(*dot, sum, "homogeneous-dot-product",
+    proposals.push_back(draft.about(*dot, sum, "homogeneous_dot_product",
                                     "DP3 and the w that is added are one DPH", Nearness::Rounding));
   }
 }
@@ -149,7 +149,7 @@ void proposeStatement(const Subject &subject, std::uint32_t index, Opcode op,
   Draft draft(subject);
   draft.replace(
       index, statementText(op, subject.at(index).dst.saturate, subject.destination(index), texts));
-  proposals.push_back(draft.about(index, "operand-without-effect", message));
+  proposals.push_back(draft.about(index, "operand_without_effect", message));
 }
 
 void proposeIdentity(const Subject &subject, std::uint32_t i, Proposals &proposals) {
@@ -196,7 +196,7 @@ void proposeMagnitude(const Subject &subject, std::uint32_t i, Proposals &propos
     return;
   Draft draft(subject);
   draft.replaceOperand(i, 0, *text);
-  proposals.push_back(draft.about(*magnitude, i, "operand-without-effect",
+  proposals.push_back(draft.about(*magnitude, i, "operand_without_effect",
                                   "RSQ takes its operand's magnitude by itself"));
 }
 

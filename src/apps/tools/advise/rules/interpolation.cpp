@@ -60,7 +60,7 @@ std::optional<Proposal> movedToVertices(const Subject &subject,
   const std::string what =
       count == 1 ? std::string(op) + " is" : std::to_string(count) + " values are";
   Proposal proposal =
-      draft.about(values[0], values[count - 1], "linear-work",
+      draft.about(values[0], values[count - 1], "linear_work",
                   what + " linear in texture coordinates: the vertex stage can compute " +
                       (count == 1 ? "it" : "them") + ", and interpolation keeps that");
   proposal.derived = std::move(derived);
@@ -69,7 +69,7 @@ std::optional<Proposal> movedToVertices(const Subject &subject,
   return proposal;
 }
 
-constexpr const char *kOrder = "component-order";
+constexpr const char *kOrder = "component_order";
 constexpr const char *kOrderMessage =
     "the card has no such swizzle and copies for it: the components can come in this order";
 

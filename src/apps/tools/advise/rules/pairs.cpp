@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kMaxProposals = 256, kMaxTried = 2048;
 constexpr std::uint32_t kMaxApart = 48; ///< maximum distance of the chains' first instructions
 constexpr std::size_t kMaxSteps = 8;
-constexpr const char *kScalarsToVector = "scalars-to-vector";
+constexpr const char *kScalarsToVector = "scalars_to_vector";
 
 /// One operation, which both chains have.
 struct Step {

@@ -19,7 +19,7 @@ Proposals parameterWork(const Subject &subject) {
     draft.insert(i, {"PARAM " + name + " = " + binding});
     readInstead(subject, i, name, draft);
     Proposal proposal =
-        draft.about(i, "parameter-work",
+        draft.about(i, "parameter_work",
                     std::string(fp::ir::info(instruction.op).mnemonic) +
                         " of parameters is the same for every " + subject.fragmentOrVertex() +
                         " of a draw: the application can compute it once");

@@ -10,7 +10,7 @@ namespace arbiter::tools::advise {
 
 namespace {
 
-constexpr const char *kPowerByProducts = "power-by-products";
+constexpr const char *kPowerByProducts = "power_by_products";
 
 std::string scalarText(Opcode op, const std::string &destination, const std::string &operand) {
   return statementText(op, false, destination, {operand});

@@ -10,7 +10,7 @@ namespace arbiter::tools::advise {
 
 namespace {
 
-constexpr const char *kDead = "dead-work";
+constexpr const char *kDead = "dead_work";
 
 /// True if the first instruction has already computed everything that the second writes.
 bool isSame(const Subject &subject, std::uint32_t first, std::uint32_t second) {
@@ -106,7 +106,7 @@ Proposals repeats(const Subject &subject) {
       if (subject.flow().holds(resultOf(subject.at(i)), subject.at(i).dst.mask, i + 1, j)) {
         Draft draft(subject);
         draft.replace(j, copied);
-        proposals.push_back(draft.about(j, "repeated-work", message));
+        proposals.push_back(draft.about(j, "repeated_work", message));
         break;
       }
       const std::string name = subject.fresh("kept");
@@ -119,7 +119,7 @@ Proposals repeats(const Subject &subject) {
       const bool replicated = read.size() > subject.destinationBase(i).size();
       draft.replace(j, statementText(Opcode::Mov, false, subject.destination(j),
                                      {name + (replicated ? read.substr(read.rfind('.')) : "")}));
-      proposals.push_back(draft.about(j, "repeated-work", message));
+      proposals.push_back(draft.about(j, "repeated_work", message));
       break;
     }
   return proposals;
@@ -135,7 +135,7 @@ Proposals copies(const Subject &subject) {
         readable ? readThrough(subject, i) : writeThrough(subject, i);
     if (draft)
       proposals.push_back(
-          draft->about(i, "needless-copy",
+          draft->about(i, "needless_copy",
                        "MOV is not needed: what it copies can be read or written in its place"));
   }
   return proposals;

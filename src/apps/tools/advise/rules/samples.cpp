@@ -59,7 +59,7 @@ std::optional<Proposal> renamed(const Subject &subject, std::uint32_t index) {
                {"TEMP " + name, restated(subject, index, name + maskText(instruction.dst.mask),
                                          instruction.dst.saturate)});
   readInstead(subject, index, name, draft);
-  return draft.about(index, "sample-earlier",
+  return draft.about(index, "sample_earlier",
                      "this sample's coordinate is there earlier: beside other samples it begins no "
                      "node of its own");
 }
@@ -76,7 +76,7 @@ Proposals earlySamples(const Subject &subject) {
       const std::string statement =
           restated(subject, i, subject.destination(i), subject.at(i).dst.saturate);
       proposals.push_back(moved(subject, i, place, statement)
-                              .about(i, "sample-earlier",
+                              .about(i, "sample_earlier",
                                      "this sample's coordinate is there earlier: beside other "
                                      "samples it begins no node of its own"));
     }
@@ -96,7 +96,7 @@ Proposals killPlaces(const Subject &subject) {
     const auto add = [&](std::uint32_t place) {
       proposals.push_back(
           moved(subject, i, place, statement)
-              .about(i, "kil-place", "KIL counts as a sample: beside others it begins no node"));
+              .about(i, "kil_place", "KIL counts as a sample: beside others it begins no node"));
     };
     if (const std::uint32_t place = earliest(subject, i); place < i)
       add(place);

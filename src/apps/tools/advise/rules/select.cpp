@@ -7,7 +7,7 @@ namespace arbiter::tools::advise {
 
 namespace {
 
-constexpr const char *kSelectByCmp = "select-by-cmp";
+constexpr const char *kSelectByCmp = "select_by_cmp";
 
 /// The operands between which CMP selects.
 struct Arms {
@@ -183,7 +183,7 @@ Proposals complements(const Subject &subject) {
     Draft draft(subject);
     draft.replace(i, statementText(below ? Opcode::Sge : Opcode::Slt, instruction.dst.saturate,
                                    subject.destination(i), {*a, *b}));
-    proposals.push_back(draft.about(*writer, i, "opposite-comparison",
+    proposals.push_back(draft.about(*writer, i, "opposite_comparison",
                                     "1 minus a comparison is the opposite comparison"));
   }
   return proposals;

@@ -134,7 +134,7 @@ Proposal tableProposal(const Subject &subject, const Place &place, std::uint32_t
                  {"TEMP " + name, statementText(Opcode::Tex, false, name, {value, table})});
     readInstead(subject, last, name, draft);
   }
-  Proposal proposal = draft.about(last, "table-of-one-value",
+  Proposal proposal = draft.about(last, "table_of_one_value",
                                   subject.destination(last) + " is a function of " + value +
                                       " alone: a one-dimensional texture can hold it");
   proposal.derived.push_back({Derived::Kind::Texture, unit, last});
@@ -214,7 +214,7 @@ Proposals cubeMap(const Subject &subject) {
     draft.replace(i, statementText(Opcode::Tex, false, subject.destination(i),
                                    {*text, textureText(*unit, fp::ir::TexTarget::Cube)}));
     Proposal proposal = draft.about(
-        square, i, "unit-vector-cube-map",
+        square, i, "unit_vector_cube_map",
         "DP3, RSQ and MUL make a vector's length 1: a cube map can hold all unit vectors");
     proposal.derived.push_back({Derived::Kind::Texture, *unit, i});
     proposal.application = "binds a cube map of unit vectors, in a signed format, to unit " +

@@ -104,12 +104,12 @@ TEST(Draws, AnAnswerThatIsNonsenseIsAnError) {
 }
 
 TEST(DrawnBy, SaysWhatTheRasterizerLeft) {
-  EXPECT_EQ(drawnByNote(R"({"draws": {"rasterizer": 5, "host-glsl": 0}})"), "");
+  EXPECT_EQ(drawnByNote(R"({"draws": {"rasterizer": 5, "host_glsl": 0}})"), "");
   EXPECT_EQ(
-      drawnByNote(R"({"draws": {"rasterizer": 2, "host-glsl": 3, "reasons": {"no-program": 1}},
+      drawnByNote(R"({"draws": {"rasterizer": 2, "host_glsl": 3, "reasons": {"no_program": 1}},
                       "software": {"given_to_host": {"target": 3}}})"),
       "the rasterizer left 3 of 5 draws to the host: target");
-  for (const char *text : {"", "[]", "{}", R"({"draws": 7})", R"({"draws": {"host-glsl": "x"}})"})
+  for (const char *text : {"", "[]", "{}", R"({"draws": 7})", R"({"draws": {"host_glsl": "x"}})"})
     EXPECT_EQ(drawnByNote(text), "") << text;
 }
 
