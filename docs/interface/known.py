@@ -7,7 +7,7 @@ from sources import Broken
 TEXT_OR_NULL, NUMBER_OR_NULL = 'text or null', 'number or null'
 REPORTS = {
     'debug against.result': TEXT_OR_NULL,
-    'debug rows[].second': 'list of number or text or truth',
+    'debug rows[].second_discards': 'truth',
     'debug stopped': NUMBER_OR_NULL,
     'debug watch.pixel': 'list of number or text or null',
     'check --compare compare.nodes': 'object or null',
@@ -15,6 +15,7 @@ REPORTS = {
     'check --compare compare.nodes.b': NUMBER_OR_NULL,
     'check --compare compare.nodes.delta': NUMBER_OR_NULL,
     'report faults': 'list of text',
+    'report histograms[].bins[].last': NUMBER_OR_NULL,
     'statistics contexts[].obstacle': 'text',
     'capture process-PID.json why_not_written': 'text',
 }

@@ -79,7 +79,7 @@ class Page(html.parser.HTMLParser):
 class Capture(Folder):
     def test_the_index_says_what_was_drawn(self):
         index = self.capture(LIGHTING, '--headless', '--size', '32x32', '--frames', '3')
-        self.assertEqual(index['schema'], 1)
+        self.assertEqual(index['schema'], 2)
         self.assertEqual([p['complete'] for p in index['processes']], [True])
         program, = index['programs']
         text = (self.folder / program['file']).read_bytes()
@@ -145,6 +145,8 @@ class Capture(Folder):
         self.assertEqual(len(index['processes']), 3)
         program = next(p for p in index['programs'] if len(p['processes']) == 2)
         self.assertEqual((program['loads'], program['draws']), (2, 4))
+        self.assertEqual(len({each['pid'] for each in program['processes']}), 2)
+        self.assertEqual([each['contexts'] for each in program['processes']], [[1], [1]])
         self.assertGreater(len(index['programs']), 1)
 
     def test_a_process_that_is_killed_leaves_what_it_loaded(self):
@@ -176,7 +178,7 @@ class Capture(Folder):
         self.capture(LIGHTING, '--headless', '--size', '8x8', '--frames', '1')
         record, = self.folder.glob('process-*.json')
         for damage in (lambda: record.write_text(record.read_text()[:700]),
-                       lambda: record.write_text('{"schema": 1, "programs": 7}'), record.unlink):
+                       lambda: record.write_text('{"schema": 2, "programs": 7}'), record.unlink):
             damage()
             again = run(ARBITER, 'capture', '--index-only', '-o', self.folder)
             self.assertEqual(again.returncode, 0, again.stderr)

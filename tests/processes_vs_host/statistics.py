@@ -126,7 +126,7 @@ def several(c):
     c.run(["sh", "-c", f"{one}; {one}; exit 3"], 3, stats=c.scratch / "stats-%p.json")
     reports = c.reports()
     need(len(reports) == 2, f"{len(reports)} reports of two processes")
-    need(len({r["process"] for r in reports}) == 2, "two reports of one process")
+    need(len({r["pid"] for r in reports}) == 2, "two reports of one process")
 
 
 def executed(c):
@@ -140,7 +140,7 @@ def forked(c):
     another program instead."""
     c.run(c.foreign("fork-child-execs-drawing"), 0)
     reports = c.reports()
-    need(len(reports) == 2 and reports[0]["process"] != reports[1]["process"], f"{len(reports)} reports of two")
+    need(len(reports) == 2 and reports[0]["pid"] != reports[1]["pid"], f"{len(reports)} reports of two")
 
 
 def stopped(c):

@@ -72,7 +72,7 @@ class Content(Folder):
     def test_a_folder(self):
         page, twin = self.report(self.put_set())
         self.assertEqual(page.problems(), [])
-        self.assertEqual(twin['schema'], 1)
+        self.assertEqual(twin['schema'], 2)
         self.assertEqual(twin['summary'], {'programs': 11, 'valid': 9, 'over_native': 1,
                                            'invalid': 1, 'unreadable': 0})
         names = [program['name'] for program in twin['programs']]

@@ -90,9 +90,9 @@ void mergeProgram(const Json &json, std::uint64_t process, Programs &programs) {
   program.draws += json.at("draws").get<std::uint64_t>();
   addPaths(json, program);
   program.replaced |= json.at("replaced").get<bool>();
-  program.processes.insert(process);
+  std::set<std::uint32_t> &contexts = program.processes[process];
   for (const Json &context : json.at("contexts"))
-    program.contexts.insert(std::to_string(process) + "." + context.dump());
+    contexts.insert(context.get<std::uint32_t>());
   program.options = json.at("options").get<std::vector<std::string>>();
   if (json.contains("counts")) {
     program.counted = true;
@@ -116,18 +116,18 @@ void mergeRecord(const Json &json, CaptureIndex &index, Programs &programs) {
   if (json.at("schema").get<int>() != ARBITER_CAPTURE_SCHEMA)
     throw std::runtime_error("written by another version");
   CapturedProcess process;
-  process.id = json.at("process").get<std::uint64_t>();
+  process.pid = json.at("pid").get<std::uint64_t>();
   process.command = json.at("command").get<std::string>();
   process.profile = json.at("profile").get<std::string>();
   process.frames = json.at("frames").get<std::uint64_t>();
-  process.contexts = json.at("contexts").get<std::uint64_t>();
-  process.notListed = json.at("not_listed").get<std::uint64_t>();
+  process.contexts = json.at("contexts_made").get<std::uint64_t>();
+  process.notListed = json.at("programs_not_listed").get<std::uint64_t>();
   process.complete = json.at("complete").get<bool>();
   process.programs = json.at("programs").size();
-  process.notWritten = json.value("not_written", std::uint64_t{0}); // earlier records lack it
+  process.notWritten = json.at("files_not_written").get<std::uint64_t>();
   process.whyNotWritten = json.value("why_not_written", "");
   for (const Json &program : json.at("programs"))
-    mergeProgram(program, process.id, programs);
+    mergeProgram(program, process.pid, programs);
   index.profile = process.profile;
   index.processes.push_back(std::move(process));
 }
@@ -195,11 +195,12 @@ void writeProgram(JsonWriter &json, const CapturedProgram &program) {
     json.key(path.c_str()).value(count);
   json.endObject();
   json.key("processes").beginArray();
-  for (const std::uint64_t process : program.processes)
-    json.value(process);
-  json.endArray().key("contexts").beginArray();
-  for (const std::string &context : program.contexts)
-    json.value(context);
+  for (const auto &[pid, contexts] : program.processes) {
+    json.beginObject().key("pid").value(pid).key("contexts").beginArray();
+    for (const std::uint32_t context : contexts)
+      json.value(context);
+    json.endArray().endObject();
+  }
   json.endArray().key("options").beginArray();
   for (const std::string &option : program.options)
     json.value(option);
@@ -228,6 +229,13 @@ void writeProgram(JsonWriter &json, const CapturedProgram &program) {
 }
 
 } // namespace
+
+std::size_t CapturedProgram::contextCount() const {
+  std::size_t count = 0;
+  for (const auto &[pid, contexts] : processes)
+    count += contexts.size();
+  return count;
+}
 
 std::string CapturedProgram::path() const {
   if (drawsBy.size() == 1)
@@ -325,7 +333,7 @@ std::vector<std::string> whatIsMissing(const CaptureIndex &index) {
   };
   for (const CapturedProcess &process : index.processes) {
     const std::string name =
-        "process " + std::to_string(process.id) + " (" + process.command + ") ";
+        "process " + std::to_string(process.pid) + " (" + process.command + ") ";
     const std::string holds =
         counted(process.programs, "program") + " and " + counted(process.frames, "frame");
     if (!process.complete)
@@ -355,8 +363,8 @@ std::string indexJson(const CaptureIndex &index) {
   json.key("profile").value(index.profile);
   json.key("processes").beginArray();
   for (const CapturedProcess &process : index.processes) {
-    json.beginObject().key("process").value(process.id).key("command").value(process.command);
-    json.key("profile").value(process.profile).key("contexts").value(process.contexts);
+    json.beginObject().key("pid").value(process.pid).key("command").value(process.command);
+    json.key("profile").value(process.profile).key("contexts_made").value(process.contexts);
     json.key("frames").value(process.frames).key("complete").value(process.complete);
     json.key("programs_not_listed").value(process.notListed);
     json.key("files_not_written").value(process.notWritten).endObject();

@@ -43,8 +43,7 @@ struct CapturedProgram {
   bool recorded = false; ///< false if no record names it: its process was killed
   bool replaced = false; ///< true if another text was loaded in its place
   std::uint64_t loads = 0, frames = 0, draws = 0;
-  std::set<std::uint64_t> processes;
-  std::set<std::string> contexts;               ///< "process.context"
+  std::map<std::uint64_t, std::set<std::uint32_t>> processes; ///< contexts that loaded it, by pid
   std::map<std::string, std::uint64_t> drawsBy; ///< draws by path (the names of the statistics)
   std::vector<std::string> options;
   std::int64_t lastUse = -1; ///< ns since the epoch; parameters and textures date from then
@@ -57,6 +56,7 @@ struct CapturedProgram {
   std::string error, warning;
   std::string glsl; ///< given to the host, or compiled here
 
+  [[nodiscard]] std::size_t contextCount() const;
   [[nodiscard]] std::string file() const { return hash + target->extension; }
   [[nodiscard]] bool valid() const { return counted; }
   /// Returns the path of its draws. Several paths come with their numbers, most draws first:
@@ -65,7 +65,7 @@ struct CapturedProgram {
 };
 
 struct CapturedProcess {
-  std::uint64_t id = 0;
+  std::uint64_t pid = 0;
   std::string command, profile;
   std::uint64_t frames = 0, contexts = 0;
   std::uint64_t programs = 0;   ///< texts in its record

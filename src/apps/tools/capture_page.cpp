@@ -42,7 +42,7 @@ std::string summaryRow(const CapturedProgram &program) {
   return std::string("<tr data-s=\"") + verdict(program) + "\"><td><a href=\"#" + program.file() +
          "\"><code>" + program.hash.substr(0, 12) + "</code></a>" + marks + "</td>" +
          cell(program.target->word) + numberCell(program.loads) +
-         numberCell(program.contexts.size()) + numberCell(program.processes.size()) +
+         numberCell(program.contextCount()) + numberCell(program.processes.size()) +
          numberCell(program.frames) + numberCell(program.draws) +
          numberCell(program.counts.instructions) + numberCell(program.counts.aluInstructions) +
          numberCell(program.counts.texInstructions) + numberCell(program.counts.texIndirections) +
@@ -117,7 +117,7 @@ std::string indexPage(const CaptureIndex &index) {
   std::string html = pageHead("Captured programs");
   html += "<h1>" + counted(index.programs.size(), "captured program") + "</h1>\n";
   for (const CapturedProcess &process : index.processes) {
-    html += "<p>process " + number(process.id) + " <code>" + escaped(process.command) +
+    html += "<p>process " + number(process.pid) + " <code>" + escaped(process.command) +
             "</code>: " + number(process.contexts) + " contexts, " + number(process.frames) +
             " frames, profile " + escaped(process.profile);
     html += "</p>\n";

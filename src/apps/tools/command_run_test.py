@@ -152,7 +152,7 @@ class Run(Temporary):
         seen = arbiter('stats', self.path('a.json'), self.path('none/b.json'))
         self.assertEqual(seen.stderr, f'arbiter stats: {self.path("none/b.json")}: no such folder\n')
 
-    def statistics(self, name, program, frames=1, schema=3, draws=None, given=None, errors=(None,)):
+    def statistics(self, name, program, frames=1, schema=4, draws=None, given=None, errors=(None,)):
         """Writes a file as the layer does, with the members that are added."""
         draws = {'reasons': {}, 'host_untouched': 5, 'dropped': 7} | (draws or {})
         defaults = {'program': {'name': program, 'windows': None}}
@@ -198,7 +198,7 @@ class Run(Temporary):
     def test_files_that_are_no_statistics_are_named(self):
         self.statistics('good.json', 'game')
         self.statistics('later.json', 'game', schema=99)
-        for text in ('', '[]', '{"schema": 3}', '{"schema": "3"}'):
+        for text in ('', '[]', '{"schema": 4}', '{"schema": "4"}'):
             bad = self.path('bad.json', text)
             seen = arbiter('stats', bad, self.path('good.json'), self.path('later.json'))
             self.assertEqual((seen.returncode, seen.stdout),
@@ -233,8 +233,8 @@ class Capture(Temporary):
     def test_what_a_capture_lacks_is_said(self):
         folder = self.path('cut')
         folder.mkdir()
-        record = {'schema': 1, 'process': 7, 'command': 'game', 'profile': 'r300', 'frames': 300, 'contexts': 1,
-                  'not_listed': 0, 'complete': True, 'programs': []}
+        record = {'schema': 2, 'pid': 7, 'command': 'game', 'profile': 'r300', 'frames': 300, 'contexts_made': 1,
+                  'programs_not_listed': 0, 'files_not_written': 0, 'complete': True, 'programs': []}
 
         def said(**more):
             (folder / 'process-7-1.json').write_text(json.dumps(record | more))
@@ -249,10 +249,10 @@ class Capture(Temporary):
         self.assertEqual(said(complete=False), [
             'process 7 (game) was ended before it could complete its record, which holds 0 programs and 300 frames; '
             'what came in its last second may be missing'])
-        self.assertEqual(said(not_listed=17), [
+        self.assertEqual(said(programs_not_listed=17), [
             'process 7 (game) reached the limit of a record, which holds 0 programs and 300 frames; '
             '17 loads of further texts are missing'])
-        self.assertEqual(said(not_written=1, why_not_written='No space left on device'), [
+        self.assertEqual(said(files_not_written=1, why_not_written='No space left on device'), [
             'process 7 (game) could not write 1 file (No space left on device); '
             'its record holds 0 programs and 300 frames'])
         text = b'!!ARBfp1.0\nMOV result.color, fragment.color;\nEND\n'

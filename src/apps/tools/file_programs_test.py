@@ -50,7 +50,7 @@ class Verbs(Temporary):
         files = json.loads(arbiter('check', '--json', path).stdout)['files']
         self.assertEqual([(file['language'], file['line'], file['status']) for file in files],
                          [('ARBvp1.0', 4, 'valid'), ('ARBfp1.0', 11, 'invalid')])
-        self.assertEqual(files[1]['diagnostics'][0]['range']['line'], 16)
+        self.assertEqual(files[1]['diagnostics'][0]['line'], 16)
         # The position counts from the start of this half, as GL does when it is given the half alone.
         self.assertEqual(files[1]['error_position'], FRAGMENT.index('color, t') + 7)
         alone = json.loads(arbiter('check', '--json', '-', text=VERTEX.rstrip()).stdout)['files'][0]

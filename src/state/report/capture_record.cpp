@@ -1,5 +1,6 @@
 #include "state/report/capture_record.h"
 
+#include <GL/arbiter.h>
 #include <bit>
 #include <cerrno>
 #include <cstdio>
@@ -195,15 +196,15 @@ void CaptureRecord::write(bool complete) {
 std::string CaptureRecord::json(bool complete) const {
   JsonWriter json;
   json.beginObject();
-  json.key("schema").value(kCaptureSchema);
-  json.key("process").value(std::int64_t(m_process));
+  json.key("schema").value(ARBITER_CAPTURE_SCHEMA);
+  json.key("pid").value(std::int64_t(m_process));
   json.key("command").value(program_invocation_short_name);
   json.key("profile").value(settings().profile);
   json.key("numerics").value(nameOf(activeNumerics()));
   json.key("complete").value(complete);
-  json.key("contexts").value(m_contexts).key("frames").value(m_frames);
-  json.key("not_listed").value(m_notListed);
-  json.key("not_written").value(m_notWritten);
+  json.key("contexts_made").value(m_contexts).key("frames").value(m_frames);
+  json.key("programs_not_listed").value(m_notListed);
+  json.key("files_not_written").value(m_notWritten);
   if (m_notWritten != 0)
     json.key("why_not_written").value(m_whyNotWritten);
   json.key("programs").beginArray();

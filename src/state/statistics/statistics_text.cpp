@@ -1,5 +1,6 @@
 #include "state/statistics/statistics_text.h"
 
+#include <GL/arbiter.h>
 #include <algorithm>
 #include <unistd.h>
 
@@ -116,8 +117,8 @@ FrameText frameText(const std::vector<ContextRow> &contexts) {
   constexpr std::string_view kRows = "\x05";
   JsonWriter json;
   json.beginObject();
-  json.key("schema").value(kStatisticsSchema);
-  json.key("process").value(std::int64_t(getpid()));
+  json.key("schema").value(ARBITER_STATS_SCHEMA);
+  json.key("pid").value(std::int64_t(getpid()));
   json.key("profile").value(settings().profile);
   json.key("numerics").value(nameOf(activeNumerics()));
   json.key("identity").value(settings().identityOfProfile ? "profile" : "host");

@@ -80,7 +80,7 @@ class Advise(unittest.TestCase):
         found = json.loads(self.check('--advise', '--json', 'a.fp'))['files'][0]['advice']
         clamp = next(each for each in found if each['rule'] == 'clamp_by_sat')
         self.assertEqual((clamp['before']['alu'], clamp['after']['alu']), (3, 1))
-        self.assertEqual((clamp['range']['line'], clamp['range']['column']), (4, 1))
+        self.assertEqual((clamp['line'], clamp['column']), (4, 1))
         text = NAIVE
         for edit in reversed(clamp['edits']):
             text = text[:edit['begin']] + edit['text'] + text[edit['end']:]

@@ -150,9 +150,7 @@ void writeAdvice(JsonWriter &json, std::string_view text, const std::vector<Advi
   for (const Advice &each : advice) {
     json.beginObject();
     json.key("rule").value(each.rule).key("message").value(each.message);
-    json.key("range").beginObject();
     writeSpan(json, text, each.span);
-    json.endObject();
     writeCost(json, "before", each.before);
     writeCost(json, "after", each.after);
     json.key("fix").value(each.isFix());

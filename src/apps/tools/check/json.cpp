@@ -37,10 +37,7 @@ void writeDiagnostic(JsonWriter &json, const SourceText &source, const fp::Diagn
   json.key("id").value(diagnostic.id);
   json.key("message").value(diagnostic.message);
   json.key("hint").value(diagnostic.hint);
-  json.key("offset").value(diagnostic.span.begin);
-  json.key("range").beginObject();
   writeSpan(json, source, diagnostic.span);
-  json.endObject();
   json.endObject();
 }
 

@@ -66,8 +66,7 @@ class Check(Folder):
         self.assertEqual((counts['alu_instructions']['used'], counts['alu_instructions']['limit']), (2, 2))
         entry = self.answer(THREE, 'nv10', code=2)
         finding, = entry['diagnostics']
-        place = finding['range']
-        self.assertEqual((finding['id'], place['line'], place['column']), ('limit_general_combiners', 4, 1))
+        self.assertEqual((finding['id'], finding['line'], finding['column']), ('limit_general_combiners', 4, 1))
         counts = self.answer(THREE, 'nv20')['counts']
         self.assertEqual((counts['alu_instructions']['used'], counts['alu_instructions']['limit']), (3, 8))
         self.answer('!!RC1.0\n' + STAGE * 8 + 'out.rgb = spare0;\n', 'nv25')

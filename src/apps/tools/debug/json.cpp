@@ -68,7 +68,7 @@ Json rowJson(const Row &row, std::size_t index) {
   if (row.mask == 0) {
     json["discards"] = row.discards.first;
     if (row.discards.first != row.discards.second)
-      json["second"] = row.discards.second;
+      json["second_discards"] = row.discards.second;
     return json;
   }
   json["destination"] = row.destination;

@@ -140,7 +140,7 @@ std::string modelText(const ProgramSet &set) {
 std::string captureText(const ProgramSet &set) {
   std::string html;
   for (const CapturedProcess &process : set.capture.processes) {
-    html += "<p>Captured from process " + number(process.id) + " <code>" +
+    html += "<p>Captured from process " + number(process.pid) + " <code>" +
             escaped(process.command) + "</code>: " + counted(process.contexts, "context") + ", " +
             counted(process.frames, "frame");
     html += process.complete ? "" : "; it was killed, so its last second may be missing";

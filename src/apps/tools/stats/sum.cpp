@@ -17,8 +17,8 @@ using Counts = std::map<std::string, std::uint64_t>;
 
 constexpr int kFirstSchema = 2; // the first with members of these names
 
-/// Returns the word of a path or a reason. Files of schema 3 have hyphens in it, and those of schema
-/// 2 another word for one path.
+/// Returns the word of a path or a reason. Files of schema 3 have hyphens in it, and those of
+/// schema 2 another word for one path.
 std::string wordNow(std::string word) {
   std::replace(word.begin(), word.end(), '-', '_');
   return word == "recorded" ? "recorded_in_list" : word;

@@ -126,7 +126,7 @@ int AdvicePanel::take(const QJsonObject &json) {
       proposal.title += tr(", if the application %1").arg(what);
     if (const QString what = each[u"condition"].toString(); !what.isEmpty())
       proposal.title += tr(", if %1").arg(what);
-    proposal.line = each[u"range"][u"line"].toInt(each[u"line"].toInt(1));
+    proposal.line = each[u"line"].toInt(1);
     proposal.saves = costText(each[u"before"]);
     proposal.why = costText(each[u"after"]);
     for (const QJsonValue edit : each[u"edits"].toArray()) {
