@@ -18,6 +18,8 @@ page has the same as data. A test compares the tree with the list of the last re
   `schema` is the same number until a member changes its meaning, and the protocol's number likewise.
 - **Words have one style.** Names of members, and values that are words of a closed list, are in snake_case; what a user
   types as the value of an option, as the name of a profile or of a file, stays as it is typed.
+- **A member has one type.** Null stands for nothing, and a text such as `"nan"` for a number that is none.
+- **Schema numbers stand in `GL/arbiter.h`**, one for each document, with the number of the protocol of control.
 - **A package of 1.x takes the place of any other.** Names of packages, of installed files, of libraries (SONAME) and of
   symbols stay.
 

@@ -16,7 +16,7 @@ import time
 import known
 from reports import COUNTS, SECONDS, SEEN, tree
 from sources import ROOT, Broken, text_of
-from words import style_of
+from style import style_of
 
 sys.path.insert(0, str(ROOT / 'tests' / 'clients'))
 from x_server import XServer  # noqa: E402
@@ -240,7 +240,8 @@ def constants():
     if {name for name, _ in enumerators} != set(CODES):
         raise Broken('src/control/message.h: other codes of errors')
     page = text_of(PAGE)
-    entries = [{'key': 'protocol', 'value': re.search(r'kProtocol = (\d+)', source).group(1)},
+    protocol = re.search(r'ARBITER_CONTROL_PROTOCOL (\d+)', text_of('include/GL/arbiter.h')).group(1)
+    entries = [{'key': 'protocol', 'value': protocol},
                {'key': 'most bytes of a line', 'value': re.search(r'kMaxLineBytes = (.*?);', source).group(1)},
                {'key': 'deepest nesting', 'value': re.search(r'kMaxDepth = (\d+)', source).group(1)}]
     for name, code in enumerators:

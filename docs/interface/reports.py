@@ -12,7 +12,7 @@ import sys
 import known
 from sources import ROOT, Broken, generate
 from trees import Tree
-from words import style_of
+from style import style_of
 
 sys.path.insert(0, str(ROOT / 'tests' / 'clients'))
 from plain_environment import plain  # noqa: E402

@@ -17,7 +17,7 @@ import lists
 import protocol
 import reports
 import sources
-import words
+import style
 
 REFERENCE = sources.ROOT / 'docs' / 'reference'
 
@@ -34,12 +34,14 @@ def collected(build):
     with tempfile.TemporaryDirectory(prefix='arbiter-interface-') as folder:
         runs = reports.Runs(arbiter, folder)
         documents, control = reports.collect(runs), protocol.collect(runs, build)
+    style.schema_numbers()
     kinds = {'options': options + commands.window(), 'exit codes': commands.exit_codes(helps),
              'variables': sources.variables(), 'TOML': sources.toml_keys(), 'profiles': sources.profile_names(),
              'panels': sources.panel_words(), 'identifiers': sources.identifiers(), 'JSON': documents,
              'control': control, 'editors': installed.editors(), 'header': header,
              'libraries': installed.symbols(build), 'files': installed.files(), 'packages': installed.packages()}
-    words.style_of_entries(kinds)
+    style.style_of_entries(kinds)
+    style.one_type(kinds)
     return kinds
 
 

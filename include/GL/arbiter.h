@@ -64,16 +64,24 @@
 #define ARBITER_ENV_HOST_VENDOR "ARBITER_HOST_VENDOR"
 #define ARBITER_ENV_HOST_OSMESA "ARBITER_HOST_OSMESA"
 
-/* The "schema" number at the top of the JSON that ARBITER_STATS, `arbiter check --json`,
- * `arbiter capture` (index.json, process-*.json), `arbiter report --json`,
- * `arbiter defaults --json` and `arbiter doctor --json` write.
- * It changes when a member changes its meaning or is removed; a new member does not change it. */
-#define ARBITER_STATS_SCHEMA 3
-#define ARBITER_CHECK_SCHEMA 1
-#define ARBITER_CAPTURE_SCHEMA 1
-#define ARBITER_REPORT_SCHEMA 1
+/* The "schema" number at the top of each JSON document that Arbiter writes, and the number of the
+ * protocol of control. A number grows when a member changes its meaning or is removed; a new member
+ * does not change it. All writers take them from here. STATS is of what ARBITER_STATS and
+ * `arbiter run --stats` write, STATS_SUM of `arbiter stats`, CAPTURE of index.json and
+ * process-*.json. The others have the names of verbs. */
+#define ARBITER_STATS_SCHEMA 4
+#define ARBITER_STATS_SUM_SCHEMA 2
+#define ARBITER_CAPTURE_SCHEMA 2
+#define ARBITER_CHECK_SCHEMA 2
+#define ARBITER_COMPILE_SCHEMA 2
+#define ARBITER_DEBUG_SCHEMA 2
+#define ARBITER_REPORT_SCHEMA 2
+#define ARBITER_CACHE_SCHEMA 1
 #define ARBITER_DEFAULTS_SCHEMA 1
 #define ARBITER_DOCTOR_SCHEMA 1
+#define ARBITER_DRAW_SCHEMA 1
+#define ARBITER_PROFILES_SCHEMA 1
+#define ARBITER_CONTROL_PROTOCOL 1
 
 /* GL_ARBITER_feedback is in the extension string of contexts whose programs Arbiter implements. It
  * adds no command: applications use glReadBuffer and glCopyTexSubImage2D as always. If the

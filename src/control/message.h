@@ -1,4 +1,5 @@
 #pragma once
+#include <GL/arbiter.h>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -13,7 +14,7 @@ namespace arbiter::control {
 
 using Json = nlohmann::json;
 
-inline constexpr int kProtocol = 1;
+inline constexpr int kProtocol = ARBITER_CONTROL_PROTOCOL;
 /// The limit of a line, including its end.
 inline constexpr std::size_t kMaxLineBytes = std::size_t(4) << 20;
 inline constexpr int kMaxDepth = 32;

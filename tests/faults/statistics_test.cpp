@@ -1,5 +1,6 @@
 // The statistics file is written completely or not at all, is private, and does not replace another
 // process's figures.
+#include <GL/arbiter.h>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -89,7 +90,7 @@ TEST(Statistics, ProgramsAndDrawsAreInTheFile) {
   }
   writeStatistics();
   const std::string text = read(g_path);
-  const std::string schema = "\"schema\": " + std::to_string(kStatisticsSchema);
+  const std::string schema = "\"schema\": " + std::to_string(ARBITER_STATS_SCHEMA);
   EXPECT_NE(text.find(schema), std::string::npos) << text;
   EXPECT_NE(text.find("\"host_glsl\": 2"), std::string::npos) << text;
   EXPECT_NE(text.find("\"position\": 15"), std::string::npos) << text;

@@ -20,7 +20,7 @@ import tree
 # The rooms that a room may include directly or indirectly.
 ALLOWED = {
     "util": set(),
-    "control": {"util"},
+    "control": {"util", "public"},
     "fp_compiler": {"util"},
     "enumerants": {"fp_compiler"},
     "swrast": {"util", "public"},

@@ -20,8 +20,8 @@ import interface_page  # noqa: E402
 import lists  # noqa: E402
 import reports  # noqa: E402
 import sources  # noqa: E402
+import style  # noqa: E402
 import trees  # noqa: E402
-import words  # noqa: E402
 import write  # noqa: E402
 
 
@@ -153,7 +153,7 @@ int arbiterCount(const char *name);
 
 
 def style_faults():
-    """Returns complaints about the rules for words."""
+    """Returns complaints about the rules for words, types and schema numbers."""
     complaints = []
 
     def refused(rule, *arguments):
@@ -166,12 +166,23 @@ def style_faults():
         tree = trees.Tree(maps={'map', 'set'})
         tree.name = 'x'
         tree.add(document)
-        if bool(refused(words.style_of, [tree])) != (document is not TYPED):
+        if bool(refused(style.style_of, [tree])) != (document is not TYPED):
             complaints.append(f'style: {document}')
     entries = {'JSON': [], 'control': [], 'identifiers': []}
     for kind, key in (('JSON', 'check files[].endLine'), ('control', 'layer stats > a-b'), ('identifiers', 'path a-b')):
-        if not refused(words.style_of_entries, {**entries, kind: [{'key': key, 'type': 'text'}]}):
+        if not refused(style.style_of_entries, {**entries, kind: [{'key': key, 'type': 'text'}]}):
             complaints.append(f'style: {kind}: {key}')
+    for kind in ('list of number or text or truth', 'number or truth', 'object or text or null', 'list of text or map'):
+        if not refused(style.one_type, {**entries, 'JSON': [{'key': 'check x', 'type': kind}]}):
+            complaints.append(f'type: {kind}')
+    for kind in ('list of number or text or null', 'object or null', 'text', 'list of object as files[] of check'):
+        if refused(style.one_type, {**entries, 'JSON': [{'key': 'check x', 'type': kind}]}):
+            complaints.append(f'type: {kind}')
+    for text in ('json.key("schema").value(2);', 'x = {{"schema", kOne}};', 'json["schema"] = 1;', 'none'):
+        if not refused(style.schema_numbers, {'a.cpp': text}):
+            complaints.append(f'schema: {text}')
+    if refused(style.schema_numbers, {'a.cpp': 'json.key("schema").value(ARBITER_CHECK_SCHEMA)'}):
+        complaints.append('schema: of the header')
     return complaints
 
 
@@ -196,15 +207,15 @@ def planted(released):
 def header_faults():
     """Returns complaints about the reader of headers."""
     complaints = []
-    for old, new, words in (('int arbiterCount', 'long arbiterCount', 'arbiterCount: signature: long'),
+    for old, new, said in (('int arbiterCount', 'long arbiterCount', 'arbiterCount: signature: long'),
                             ('const char *name', 'const char *name, int n', 'arbiterCount: signature: int'),
                             ('(int what)', '(long what)', 'ArbiterTold: signature: typedef'),
                             ('TWO 2', 'TWO 3', 'TWO: value: 3'), ('#define TWO 2', '', 'TWO: is gone')):
         before, after = ({'kinds': {'header': sources.header(text=text)}}
                          for text in (HEADER, HEADER.replace(old, new)))
         faults, _ = lists.compared(before, after)
-        if len(faults) != 1 or words not in faults[0]:
-            complaints.append(f'header: planted {words!r}, found {faults}')
+        if len(faults) != 1 or said not in faults[0]:
+            complaints.append(f'header: planted {said!r}, found {faults}')
     if len(sources.header(text=HEADER)) != 3:
         complaints.append(f'header: {sources.header(text=HEADER)}')
     return complaints
@@ -253,9 +264,9 @@ TYPED = {'profile': 'r300-catalyst-2004', 'file': 'a-b', 'kind': 'Two-words, a t
 def entries_of_check(arbiter, folder):
     """Returns the entries of the JSON of `arbiter check`, in which words have the style of all."""
     tree = reports.checks(reports.Runs(arbiter, folder))[0]
-    words.style_of([tree])
+    style.style_of([tree])
     entries = tree.entries('check')
-    words.style_of_entries({'JSON': entries, 'control': [], 'identifiers': []})
+    style.style_of_entries({'JSON': entries, 'control': [], 'identifiers': []})
     return entries
 
 
@@ -298,7 +309,8 @@ def symbol_faults(build, folder):
 def self_test(build):
     """Plants a fault of each kind. Returns the exit code."""
     released = lists.published()[0]
-    complaints = planted(released) + header_faults() + style_faults() + reader_faults(released) + otherwise_faults(build, released)
+    complaints = planted(released) + header_faults() + style_faults() + reader_faults(released)
+    complaints += otherwise_faults(build, released)
     for complaint in complaints:
         print(complaint)
     print(f'{len(FAULTS) + len(OTHERWISE) + len(STYLES)} faults and {len(ALLOWED)} allowed changes planted, '

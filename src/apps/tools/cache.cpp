@@ -1,5 +1,6 @@
 #include "util/cache/cache_store.h"
 
+#include <GL/arbiter.h>
 #include <cinttypes>
 #include <cstdio>
 #include <string>
@@ -13,8 +14,6 @@
 namespace arbiter::tools {
 
 namespace {
-
-constexpr int kSchema = 1; ///< version of the --json output
 
 /// One kind of cached data; each has its own folder and limit.
 struct Kept {
@@ -35,7 +34,11 @@ void print(const std::vector<Kept> &all) {
 
 void printAsJson(const std::vector<Kept> &all) {
   JsonWriter json;
-  json.beginObject().key("schema").value(kSchema).key("enabled").value(settings().cache);
+  json.beginObject()
+      .key("schema")
+      .value(ARBITER_CACHE_SCHEMA)
+      .key("enabled")
+      .value(settings().cache);
   json.key("kinds").beginArray();
   for (const Kept &each : all)
     json.beginObject()

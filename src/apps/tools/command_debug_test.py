@@ -50,7 +50,7 @@ class Debug(Temporary):
 
     def test_inputs_are_those_of_the_pixel(self):
         trace = self.trace(self.path('simple.fp', SIMPLE))
-        self.assertEqual((trace['schema'], trace['pixel'], trace['size']), (1, [5, 3], [16, 8]))
+        self.assertEqual((trace['schema'], trace['pixel'], trace['size']), (2, [5, 3], [16, 8]))
         values = {each['name']: each['value'] for each in trace['attributes']}
         self.assertEqual(values['fragment.texcoord[0]'], [5.5 / 16, 3.5 / 8, 0, 1])
         self.assertEqual(trace['parameters'][0]['value'], [0.5, 0.25, 0.125, 1])

@@ -1,3 +1,4 @@
+#include <GL/arbiter.h>
 #include <algorithm>
 #include <cstdio>
 
@@ -53,8 +54,6 @@ std::string emit(fp::ir::Program &program, const CompileArguments &arguments) {
     return fp::emitGlsl(program, {}, numerics).text;
   return arguments.emit == "assembly" ? fp::emitAssembly(program) : fp::ir::print(program);
 }
-
-constexpr int kSchema = 1; ///< version of the --json output
 
 /// One program of the file, with its diagnostics and its output.
 struct Emitted {
@@ -164,7 +163,7 @@ std::string joined(std::string_view text, const CompileArguments &arguments,
 std::string asJson(std::string_view text, const CompileArguments &arguments,
                    const fp::hw::Profile &profile, const std::vector<Emitted> &all) {
   JsonWriter json;
-  json.beginObject().key("schema").value(kSchema);
+  json.beginObject().key("schema").value(ARBITER_COMPILE_SCHEMA);
   json.key("file").value(arguments.file == "-" ? "<stdin>" : arguments.file);
   json.key("profile").value(profile.name).key("emit").value(arguments.emit);
   json.key("programs").beginArray();

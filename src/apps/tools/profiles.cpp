@@ -1,3 +1,4 @@
+#include <GL/arbiter.h>
 #include <cstdio>
 
 #include "apps/tools/commands.h"
@@ -9,8 +10,6 @@
 namespace arbiter::tools {
 
 namespace {
-
-constexpr int kSchema = 1; ///< version of the --json output
 
 void list() {
   for (const std::string_view name : fp::hw::builtinNames()) {
@@ -29,7 +28,7 @@ void writeHead(JsonWriter &json, const fp::hw::Profile &profile) {
 
 void listAsJson() {
   JsonWriter json;
-  json.beginObject().key("schema").value(kSchema);
+  json.beginObject().key("schema").value(ARBITER_PROFILES_SCHEMA);
   json.key("default").value(fp::hw::kDefaultProfile).key("profiles").beginArray();
   for (const std::string_view name : fp::hw::builtinNames()) {
     writeHead(json.beginObject(), *fp::hw::findBuiltin(name));
@@ -44,7 +43,7 @@ void listAsJson() {
 /// Prints one object for each table of the profile, with value and source of each key.
 void printAsJson(const fp::hw::Profile &profile) {
   JsonWriter json;
-  writeHead(json.beginObject().key("schema").value(kSchema), profile);
+  writeHead(json.beginObject().key("schema").value(ARBITER_PROFILES_SCHEMA), profile);
   const auto writeSource = [&](const std::string &source) {
     json.key("source").value(source).endObject();
   };

@@ -22,9 +22,6 @@ struct CheckResult;
 /// killed process loses one second of figures and no text. `arbiter capture` merges the records.
 namespace arbiter::state {
 
-/// ARBITER_CAPTURE_SCHEMA of GL/arbiter.h: grows when a member changes its meaning or is removed.
-inline constexpr int kCaptureSchema = 1;
-
 /// A run of draws with one program.
 struct ProgramUse {
   Target target = Target::Fragment;

@@ -18,9 +18,6 @@ struct CompiledProgram;
 struct ProgramObject;
 struct Refusal;
 
-/// Version of the JSON's schema: grows when a member changes its meaning or is removed.
-inline constexpr int kStatisticsSchema = 3;
-
 void noteContextCreated(RasterContext &context);
 /// Adds the counters of a context that is about to be freed to those of freed contexts.
 void noteContextDestroyed(const RasterContext &context);

@@ -1,3 +1,4 @@
+#include <GL/arbiter.h>
 #include <algorithm>
 #include <cstdio>
 #include <tuple>
@@ -208,7 +209,7 @@ private:
     if (!triangle)
       return refuse(triangle.error().message +
                     (m_session->vertex() == nullptr ? std::string() : aboutPixel()));
-    debug::Json json = {{"schema", debug::kTraceSchema}, {"vertices", debug::Json::array()}};
+    debug::Json json = {{"schema", ARBITER_DEBUG_SCHEMA}, {"vertices", debug::Json::array()}};
     bool stopped = false;
     for (const debug::TracedVertex &vertex : triangle.value()) {
       debug::Findings one = m_findings;

@@ -1,5 +1,6 @@
 #include "apps/tools/debug/findings.h"
 
+#include <GL/arbiter.h>
 #include <algorithm>
 #include <limits>
 
@@ -175,7 +176,7 @@ std::string watchedText(const Findings &findings) {
 
 Json findingsJson(const Findings &findings) {
   Json json = traceJson(findings.trace);
-  json["schema"] = kTraceSchema;
+  json["schema"] = ARBITER_DEBUG_SCHEMA;
   json["file"] = findings.document;
   json["pixel"] = {findings.x, findings.y};
   json["size"] = {findings.width, findings.height};

@@ -10,9 +10,6 @@ namespace arbiter::tools::debug {
 
 using Json = nlohmann::json;
 
-/// Version of the JSON members; increased when a member is removed or changes its meaning.
-inline constexpr int kTraceSchema = 1;
-
 /// Returns {numerics, attributes, parameters, rows, results, discarded}. Offsets are bytes of the
 /// text; lines and columns count from 1. A `second` member exists if the second arithmetic's value
 /// differs.

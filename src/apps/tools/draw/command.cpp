@@ -21,8 +21,6 @@ namespace arbiter::tools {
 
 namespace {
 
-constexpr int kSchema = 1; ///< version of the --json output
-
 void print(const scene::ProgramFile &file, const std::vector<fp::Diagnostic> &diagnostics) {
   std::fputs(rendered(file.name, file.text, diagnostics, styleOfErrors()).c_str(), stderr);
 }
@@ -102,7 +100,7 @@ void report(const DrawArguments &arguments, const Drawing &drawing, const Render
   const scene::Document &document = drawing.document;
   if (arguments.json) {
     nlohmann::ordered_json json;
-    json["schema"] = kSchema;
+    json["schema"] = ARBITER_DRAW_SCHEMA;
     json["document"] = document.files.front().name;
     json["picture"] = output;
     json["width"] = document.width();

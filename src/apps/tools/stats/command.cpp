@@ -1,3 +1,4 @@
+#include <GL/arbiter.h>
 #include <cstdio>
 #include <filesystem>
 #include <set>
@@ -68,7 +69,11 @@ void print(const std::vector<OfFile> &all, int made, const Figures &sum) {
 
 void printJson(const std::vector<OfFile> &all, int made, const Figures &sum) {
   JsonWriter json;
-  json.beginObject().key("schema").value(1).key("file").value(all.front().file);
+  json.beginObject()
+      .key("schema")
+      .value(ARBITER_STATS_SUM_SCHEMA)
+      .key("file")
+      .value(all.front().file);
   json.key("made").value(made).key("files").beginArray();
   for (const OfFile &of : all) {
     json.beginObject().key("file").value(of.file).key("made").value(of.made);
