@@ -62,6 +62,72 @@ TEST(ProgramCommands, EachFormOfAParameterSetsTheSame) {
   EXPECT_EQ(error(*context), kNoError);
 }
 
+/// Calls the forms 4dv and 4fv of a command with a pointer that cannot be read.
+template <typename... Leading>
+void expectUnread(Context &context, const std::string &name, const std::string &suffix,
+                  GLenum fault, Leading... leading) {
+  const auto of = [&](const char *form) { return "gl" + name + form + suffix; };
+  entry<void(Leading..., const GLdouble *)>(of("4dv").c_str())(leading..., nullptr);
+  EXPECT_EQ(error(context), fault) << of("4dv");
+  entry<void(Leading..., const GLfloat *)>(of("4fv").c_str())(leading..., nullptr);
+  EXPECT_EQ(error(context), fault) << of("4fv");
+}
+
+TEST(ProgramCommands, ValuesOfACommandThatIsAnErrorAreNotRead) {
+  NvHost host;
+  const CurrentContext context(host);
+  constexpr GLuint kFar = 1u << 30;
+  const GLuint name = use(*context, kPlacingText, kVertex);
+  expectUnread(*context, "ProgramEnvParameter", "ARB", kValue, kVertex, kFar);
+  expectUnread(*context, "ProgramLocalParameter", "ARB", kValue, kVertex, kFar);
+  expectUnread(*context, "NamedProgramLocalParameter", "EXT", kValue, name, kVertex, kFar);
+  expectUnread(*context, "ProgramParameter", "NV", kValue, kNvVertex, kFar);
+  expectUnread(*context, "ProgramParameter", "NV", kEnum, kNvFragment, GLuint(0));
+  const auto *const blue = reinterpret_cast<const GLubyte *>("blue");
+  expectUnread(*context, "ProgramNamedParameter", "NV", kOperation, GLuint(77), GLsizei(4), blue);
+}
+
+const void *g_passed = nullptr;
+void hostEnvFloats(GLenum, GLuint, const GLfloat *values) { g_passed = values; }
+void hostLocalDoubles(GLenum, GLuint, const GLdouble *values) { g_passed = values; }
+void hostNamedFloats(GLuint, GLenum, GLuint, const GLfloat *values) { g_passed = values; }
+
+/// A target that the layer does not know is the host's to judge, and so is the pointer.
+TEST(ProgramCommands, ValuesForATargetOfTheHostsAreTheHostsToRead) {
+  NvHost host;
+  const CurrentContext context(host);
+  host::HostTable table = *host.table();
+  table.ProgramEnvParameter4fvARB = hostEnvFloats;
+  table.ProgramLocalParameter4dvARB = hostLocalDoubles;
+  table.NamedProgramLocalParameter4fvEXT = hostNamedFloats;
+  context->host = &table;
+  const auto passes = [](const auto &call, const auto *values) {
+    g_passed = nullptr;
+    call(values);
+    EXPECT_EQ(g_passed, values);
+  };
+  const auto *const nowhere = reinterpret_cast<const GLfloat *>(8);
+  constexpr GLenum kOther = GL_TEXTURE_2D;
+  passes(
+      [](const GLfloat *at) {
+        entry<void(GLenum, GLuint, const GLfloat *)>("glProgramEnvParameter4fvARB")(kOther, 0, at);
+      },
+      nowhere);
+  passes(
+      [](const GLdouble *at) {
+        entry<void(GLenum, GLuint, const GLdouble *)>("glProgramLocalParameter4dvARB")(kOther, 0,
+                                                                                       at);
+      },
+      reinterpret_cast<const GLdouble *>(nowhere));
+  passes(
+      [](const GLfloat *at) {
+        using Named = void(GLuint, GLenum, GLuint, const GLfloat *);
+        entry<Named>("glNamedProgramLocalParameter4fvEXT")(1, kOther, 0, at);
+      },
+      nowhere);
+  context->host = host.table();
+}
+
 int g_loads = 0;
 void hostLoadProgram(GLenum, GLuint, GLsizei, const GLubyte *) { ++g_loads; }
 GLboolean hostAreResident(GLsizei, const GLuint *, GLboolean *) {

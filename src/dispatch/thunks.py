@@ -9,8 +9,13 @@ from gl_commands import HEADING
 GUARDS = {"program": "guardName", "shader": "guardName", "handle": "guardName", "program pipeline": "guardPipeline"}
 
 
+# The number of values of a parameter.
+VALUES = 4
+
+
 def handlers_header(table):
     out = [HEADING, "#pragma once\n", "#include <GL/gl.h>\n#include <GL/glext.h>\n\n",
+           '#include "host/parameter_values.h"\n\n',
            "namespace arbiter::state {\nclass Context;\n}\n\n",
            "/// What the state tracker gives the entry points. The generated thunks call these with "
            "the\n/// thread's context; a missing one fails the link.\n",
@@ -24,24 +29,30 @@ def handlers_header(table):
     for name in sorted(n for n, a in table.action.items() if a in ("own", "handled") and n not in table.converted):
         command = table.commands[name]
         out.append(f"{command.result} {name}({command.declare(['Context &context'])});\n")
+    out.append("\n/// The forms whose values lie in the application's memory.\n")
+    for floats in sorted(set(table.converted.values())):
+        same = [f"{kind} {name}" for kind, name, _ in table.commands[floats].params[:-VALUES]]
+        out.append(f"void {floats}(Context &context, {', '.join(same)}, host::ParameterValues values);\n")
     out.append("\n} // namespace arbiter::state::handlers\n")
     return "".join(out)
 
 
 def handler_call(table, command):
-    """Returns the call of the command's handler, or of the handler of floats with the arguments converted."""
+    """Returns the call of the command's handler, or of the handler of floats with the arguments converted. A pointer
+    is passed on unread."""
     context = "static_cast<Context &>(*t)"
     if command.name not in table.converted:
         return f"handlers::{command.name}({command.arguments([context])})"
     floats = table.commands[table.converted[command.name]]
-    same = [name for (_, name, _), (_, other, _) in zip(command.params, floats.params) if name == other]
-    values = [name for _, name, _ in command.params[len(same):]]
-    wanted = len(floats.params) - len(same)
-    if len(values) == 1:
-        values = [f"{values[0]}[{i}]" for i in range(wanted)]
-    if len(values) != wanted:
+    leading = len(floats.params) - VALUES
+    same = [name for _, name, _ in command.params[:leading]]
+    values = [name for _, name, _ in command.params[leading:]]
+    if same != [name for _, name, _ in floats.params[:leading]] or len(values) not in (1, VALUES):
         sys.exit(f"entry_points.toml: [own.converted] {command.name} has other values than {floats.name}")
-    arguments = [context, *same, *(f"GLfloat({value})" for value in values)]
+    if len(values) == 1:
+        arguments = [context, *same, f"arbiter::host::ParameterValues({values[0]})"]
+    else:
+        arguments = [context, *same, *(f"GLfloat({value})" for value in values)]
     return f"handlers::{floats.name}({', '.join(arguments)})"
 
 

@@ -80,6 +80,15 @@ void NamedProgramLocalParameter4fEXT(Context &context, GLuint program, GLenum ta
   set(context, *row, program, index, {x, y, z, w});
 }
 
+void NamedProgramLocalParameter4fEXT(Context &context, GLuint program, GLenum target, GLuint index,
+                                     host::ParameterValues values) {
+  const ProgramTarget *const row = rowOf(context, target);
+  if (!row)
+    return values.pass(context.host->NamedProgramLocalParameter4fvEXT,
+                       context.host->NamedProgramLocalParameter4dvEXT, program, target, index);
+  set(context, *row, program, index, index < row->limits.localParameters ? values.read() : Vec4{});
+}
+
 void NamedProgramLocalParameters4fvEXT(Context &context, GLuint program, GLenum target,
                                        GLuint index, GLsizei count, const GLfloat *params) {
   const ProgramTarget *const row = rowOf(context, target);

@@ -22,14 +22,15 @@ std::string_view nameOf(GLsizei length, const GLubyte *name) {
   return {reinterpret_cast<const char *>(name), std::min(std::size_t(length), most)};
 }
 
-void setNamed(Context &context, GLuint id, GLsizei length, const GLubyte *name, const Vec4 &value) {
+void setNamed(Context &context, GLuint id, GLsizei length, const GLubyte *name,
+              host::ParameterValues values) {
   if (!outsideBeginEnd(context, "ProgramNamedParameter between Begin and End"))
     return;
   if (!context.listMode)
-    return setNamedParameter(context, id, nameOf(length, name), value);
+    return setNamedParameter(context, id, nameOf(length, name), values);
   Command command{.kind = Command::Kind::NamedParameterNv, .name = id};
   command.bytes = nameOf(length, name);
-  command.values.push_back(value);
+  command.values.push_back(values.read());
   listCompiler(context).record(context, std::move(command));
 }
 
@@ -47,7 +48,13 @@ namespace handlers {
 
 void ProgramNamedParameter4fNV(Context &context, GLuint id, GLsizei len, const GLubyte *name,
                                GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
-  setNamed(context, id, len, name, {x, y, z, w});
+  const Vec4 value{x, y, z, w};
+  setNamed(context, id, len, name, host::ParameterValues(value.data()));
+}
+
+void ProgramNamedParameter4fNV(Context &context, GLuint id, GLsizei len, const GLubyte *name,
+                               host::ParameterValues values) {
+  setNamed(context, id, len, name, values);
 }
 
 void GetProgramNamedParameterfvNV(Context &context, GLuint id, GLsizei len, const GLubyte *name,

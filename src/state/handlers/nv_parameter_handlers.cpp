@@ -78,6 +78,12 @@ void ProgramParameter4fNV(Context &context, GLenum target, GLuint index, GLfloat
   setParameters(context, target, index, {x, y, z, w});
 }
 
+void ProgramParameter4fNV(Context &context, GLenum target, GLuint index,
+                          host::ParameterValues values) {
+  const bool isValid = target == GL_VERTEX_PROGRAM_NV && index < NvState::kParameters;
+  setParameters(context, target, index, isValid ? values.read() : Vec4{});
+}
+
 void ProgramParameters4fvNV(Context &context, GLenum target, GLuint index, GLsizei count,
                             const GLfloat *v) {
   setParameters(context, target, index, count, gatherParameters(count, v));

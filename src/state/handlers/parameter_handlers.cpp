@@ -87,6 +87,9 @@ std::optional<Vec4> readLocal(Context &context, const ProgramTarget &row, GLuint
   return object.locals[index].load();
 }
 
+/// Returns the values if they may be read, and zeros for a command that is an error.
+Vec4 readIf(bool isValid, host::ParameterValues values) { return isValid ? values.read() : Vec4{}; }
+
 template <typename T> void copyOut(const std::optional<Vec4> &value, T *params) {
   if (value && params)
     std::copy(value->begin(), value->end(), params);
@@ -111,6 +114,15 @@ void ProgramEnvParameter4fARB(Context &context, GLenum target, GLuint index, GLf
   context.host->ProgramEnvParameter4fARB(target, index, x, y, z, w);
 }
 
+void ProgramEnvParameter4fARB(Context &context, GLenum target, GLuint index,
+                              host::ParameterValues values) {
+  ProgramTarget *const row = rowOf(context, target);
+  if (!row)
+    return values.pass(context.host->ProgramEnvParameter4fvARB,
+                       context.host->ProgramEnvParameter4dvARB, target, index);
+  env(context, *row, index, readIf(index < row->env.size(), values));
+}
+
 void ProgramEnvParameters4fvEXT(Context &context, GLenum target, GLuint index, GLsizei count,
                                 const GLfloat *params) {
   ProgramTarget *const row = rowOf(context, target);
@@ -126,6 +138,15 @@ void ProgramLocalParameter4fARB(Context &context, GLenum target, GLuint index, G
   if (ProgramTarget *const row = rowOf(context, target))
     return local(context, *row, index, {x, y, z, w});
   context.host->ProgramLocalParameter4fARB(target, index, x, y, z, w);
+}
+
+void ProgramLocalParameter4fARB(Context &context, GLenum target, GLuint index,
+                                host::ParameterValues values) {
+  ProgramTarget *const row = rowOf(context, target);
+  if (!row)
+    return values.pass(context.host->ProgramLocalParameter4fvARB,
+                       context.host->ProgramLocalParameter4dvARB, target, index);
+  local(context, *row, index, readIf(index < row->limits.localParameters, values));
 }
 
 void ProgramLocalParameters4fvEXT(Context &context, GLenum target, GLuint index, GLsizei count,

@@ -133,7 +133,8 @@ void executeNvCommand(RasterContext &context, const Command &command) {
     return setNvParameters(context, command.target, command.name, command.count,
                            command.values.data());
   case Command::Kind::NamedParameterNv:
-    return setNamedParameter(context, command.name, command.bytes, command.values.front());
+    return setNamedParameter(context, command.name, command.bytes,
+                             host::ParameterValues(command.values.front().data()));
   case Command::Kind::RequestResident:
     if (command.count < 0)
       raise(context, GL_INVALID_VALUE, "RequestResidentPrograms: n is negative");

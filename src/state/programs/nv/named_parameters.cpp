@@ -34,11 +34,11 @@ Named find(ProgramContext &context, GLuint id, std::string_view name) {
 } // namespace
 
 void setNamedParameter(ProgramContext &context, GLuint id, std::string_view name,
-                       const Vec4 &value) {
+                       host::ParameterValues values) {
   const Named named = find(context, id, name);
   if (!named.object)
     return;
-  named.object->locals[named.local].store(value);
+  named.object->locals[named.local].store(values.read());
   noteLocalsChanged(context, *named.object);
 }
 

@@ -4,6 +4,7 @@
 
 #include <GL/gl.h>
 
+#include "host/parameter_values.h"
 #include "state/objects/target.h"
 
 /// Program objects by the commands of NV_vertex_program ("NVP") and NV_fragment_program ("NFP").
@@ -45,7 +46,7 @@ void executeStateProgram(ProgramContext &context, GLenum target, GLuint id, cons
 /// \error INVALID_OPERATION if id is no fragment program; INVALID_VALUE if the program has no
 /// parameter of that name
 void setNamedParameter(ProgramContext &context, GLuint id, std::string_view name,
-                       const Vec4 &value);
+                       host::ParameterValues values);
 /// Executes GetProgramNamedParameterNV, with the same errors as setNamedParameter(). Returns false
 /// after one.
 [[nodiscard]] bool namedParameter(ProgramContext &context, GLuint id, std::string_view name,

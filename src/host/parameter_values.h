@@ -1,0 +1,38 @@
+#pragma once
+#include <GL/gl.h>
+#include <array>
+
+namespace arbiter::host {
+
+/// The four values of a program parameter, where the application keeps them. Nothing is read before
+/// read(): a handler asks for the values when target and index are valid, because the pointer of a
+/// command that is an error may be anything.
+class ParameterValues {
+public:
+  explicit ParameterValues(const GLfloat *values) : m_values(values) {}
+  explicit ParameterValues(const GLdouble *values) : m_values(values), m_areDoubles(true) {}
+
+  /// Returns the values as floats.
+  [[nodiscard]] std::array<GLfloat, 4> read() const {
+    return m_areDoubles ? read(static_cast<const GLdouble *>(m_values))
+                        : read(static_cast<const GLfloat *>(m_values));
+  }
+  /// Calls the host's command for values of their type, unread.
+  template <typename Floats, typename Doubles, typename... Leading>
+  void pass(Floats *floats, Doubles *doubles, Leading... leading) const {
+    if (m_areDoubles)
+      doubles(leading..., static_cast<const GLdouble *>(m_values));
+    else
+      floats(leading..., static_cast<const GLfloat *>(m_values));
+  }
+
+private:
+  template <typename T> static std::array<GLfloat, 4> read(const T *values) {
+    return {GLfloat(values[0]), GLfloat(values[1]), GLfloat(values[2]), GLfloat(values[3])};
+  }
+
+  const void *m_values;
+  bool m_areDoubles = false;
+};
+
+} // namespace arbiter::host
