@@ -15,8 +15,8 @@ import pages  # noqa: E402
 OWN_VERBS = {'complete', 'debug-draws'}
 TAKES_COMMAND = {'run', 'capture', 'defaults', 'doctor'}
 NUMBERS = r'(-?[\d.]+) to (-?[\d.]+)'
+SOURCE, INTERNAL = 'src/util/text/exit_codes.h', 6  # a fault of its own ends any verb, and no help says so
 CALL = re.compile(r'(?:\.|\b)(option|flag|flagOrValue|addValues)\(\s*"([^"]+)"(.*?);', re.S)
-CODES = {'kExitOk': 0, 'kExitUsage': 1, 'kExitInvalid': 2, 'kExitOverNative': 3, 'kExitInternal': 4, 'kExitDiffers': 5}
 
 
 def range_of(text):
@@ -169,24 +169,30 @@ def codes_of(text):
 
 
 def exit_codes(helps):
-    """Returns the exit codes of each verb, by the help of it, and those of the window, by its manual page."""
-    enumerators = dict(re.findall(r'(kExit\w+) = (\d+)', text_of('src/apps/tools/commands.h')))
-    if {name: int(code) for name, code in enumerators.items()} != CODES:
-        raise Broken('src/apps/tools/commands.h: other exit codes than docs/interface/commands.py knows')
+    """Returns the exit codes, each with its one meaning and the verbs that end with it."""
+    meanings = pages.exit_codes()
+    verbs = {code: set() for code in meanings}
     said = {}
     for verb, help_text in helps.items():
         text = ' '.join(help_text.part('Exit code:'))[len('Exit code:'):].strip()
-        if text.startswith('as for check, without 3'):
-            said[verb] = {code: meaning for code, meaning in said['check'].items() if code != 3}
-        elif text:
-            said[verb] = codes_of(text)
-            if not text[0].isdigit():
-                said[verb]['other'] = re.split(r'[;,] ', text)[0].rstrip('.')
+        said[verb] = codes_of(text)
+        if text and not text[0].isdigit():
+            verbs.setdefault('other', set()).add(verb)
+            meanings['other'] = re.split(r'; ', text)[0].rstrip('.')
     page = text_of('docs/man/arbiter-builder.1')
     window_text = ' '.join(re.search(r'\.SH EXIT STATUS\n(.*?)\n\.SH', page, re.S).group(1).split())
-    said['arbiter-builder'] = codes_of(window_text)
-    return [{'key': f'{verb}: {code}', 'meaning': meaning} for verb, codes in said.items()
-            for code, meaning in codes.items()]
+    said['arbiter-builder'] = codes_of(re.sub(r'\\\(aq', "'", window_text))
+    for verb, codes in said.items():
+        for code, meaning in codes.items():
+            if meaning != meanings.get(code):
+                raise Broken(f'exit codes: {verb} says that {code} is "{meaning}", and {SOURCE} that it is '
+                             f'"{meanings.get(code)}"')
+            verbs[code].add(verb)
+    verbs[INTERNAL] = set(said)
+    if none := [code for code in meanings if not verbs[code]]:
+        raise Broken(f'exit codes: no verb ends with {none}')
+    return [{'key': str(code), 'meaning': meaning, 'choices': sorted(verbs[code])}
+            for code, meaning in meanings.items()]
 
 
 def version_of(arbiter):

@@ -40,7 +40,9 @@ KINDS = {
     'options': ('Verbs and options', 'An option of a verb is named behind the verb. Each verb has `--help`, which is '
                 'also `-h`, and `--help-all`. Options that are marked *layer* are the same for `run`, `capture`, '
                 '`draw` and `render`. They are listed with `run` alone.'),
-    'exit codes': ('Exit codes', 'A verb that ends in a way that its rows do not have is at fault.'),
+    'exit codes': ('Exit codes', 'A code means one thing, whichever verb ends with it. `run` and `capture` end as '
+                   'COMMAND did: with its code, or by the signal that ended it, so that a shell sees what it would '
+                   'without Arbiter.'),
     'variables': ('Environment variables', '[flags.md](flags.md) says what each does.'),
     'TOML': ('Keys of TOML files', 'Files of profiles ([profiles.md](profiles.md)) and of defaults of programs '
              '([defaults.md](../use/defaults.md)).'),
@@ -110,6 +112,11 @@ def row(entry):
     return f'| {code(entry["key"])} | {"; ".join(fact for fact in facts if fact)} | {entry["since"]} |'
 
 
+def row_of_code(entry):
+    verbs = ', '.join(code(verb) for verb in entry['choices'])
+    return f'| {code(entry["key"])} | {entry["meaning"]}. Of {verbs} | {entry["since"]} |'
+
+
 def is_shown(entry):
     """False for a row that the text above the table stands for."""
     if 'takes' in entry and ' --help' in entry['key'] and not entry['key'].startswith('arbiter-builder'):
@@ -123,5 +130,8 @@ def page(made):
     for kind, (title, text) in KINDS.items():
         entries = made['kinds'][kind]
         out += [f'## {title}\n', text + '\n', '| name | what is kept | since |', '|---|---|---|']
-        out += [row(entry) for entry in entries if is_shown(entry)] + ['']
+        if kind == 'exit codes':
+            entries = sorted(entries, key=lambda entry: (not entry['key'].isdigit(), entry['key'].zfill(4)))
+        one = row_of_code if kind == 'exit codes' else row
+        out += [one(entry) for entry in entries if is_shown(entry)] + ['']
     return '\n'.join(out).rstrip('\n') + '\n'

@@ -141,8 +141,20 @@ def page(arbiter, verb):
     return out + '.SH SEE ALSO\n.BR arbiter (1),\n.BR arbiter (7)\n'
 
 
+def exit_codes():
+    """Returns the meanings of exit codes by number, as src/util/text/exit_codes.h has them."""
+    source = (MAN.parents[1] / 'src' / 'util' / 'text' / 'exit_codes.h').read_text()
+    numbers = {name: int(code) for name, code in re.findall(r'(kExit\w+) = (\d+)', source)}
+    rows = re.findall(r'\{(kExit\w+), ((?:"[^"]*"\s*)+)\}', source)
+    found = {numbers[name]: ''.join(re.findall(r'"([^"]*)"', text)) for name, text in rows}
+    if len(found) != len(numbers):
+        sys.exit('src/util/text/exit_codes.h: a code without a meaning')
+    return found
+
+
 def overview(arbiter):
-    text = (MAN / 'arbiter.1.in').read_text()
+    codes = ''.join(f'.TP\n.B {code}\n{roff(meaning)}\n' for code, meaning in exit_codes().items())
+    text = (MAN / 'arbiter.1.in').read_text().replace('@EXIT_CODES@\n', codes)
     rows = ''
     for name, title in Help(arbiter).groups['Subcommands']:
         title = title.split(':')[0] if ': arbiter' in title else title

@@ -310,7 +310,7 @@ class Windows(Painting):
 
     def test_words_for_figures_are_checked(self):
         run = subprocess.run([ARBITER, 'run', '--hud=fsp', '--', 'true'], capture_output=True, text=True)
-        self.assertEqual(run.returncode, 1)
+        self.assertEqual(run.returncode, 125)
         self.assertIn('did you mean fps?', run.stderr)
 
 

@@ -52,7 +52,7 @@ class Hostile(Controlled):
         del environment['XDG_RUNTIME_DIR']
         result = subprocess.run([ARBITER, 'run', '--control', '--', 'true'], env=environment,
                                 capture_output=True, text=True, timeout=PATIENCE)
-        self.assertEqual(result.returncode, 1)
+        self.assertEqual(result.returncode, 125)
         self.assertIn('XDG_RUNTIME_DIR', result.stderr)
         result = subprocess.run([ARBITER, 'ctl', 'dance'], env=environment, capture_output=True, text=True,
                                 timeout=PATIENCE)

@@ -3,7 +3,6 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <sys/wait.h>
 
 #include "apps/tools/capture_page.h"
 #include "apps/tools/commands.h"
@@ -95,32 +94,31 @@ int capture(const CaptureArguments &arguments) {
   std::error_code error;
   if (arguments.indexOnly) {
     if (fs::is_directory(arguments.folder, error))
-      return assemble(arguments.folder) ? kExitOk : kExitUsage;
+      return assemble(arguments.folder) ? kExitOk : kExitWrapper;
     complain(arguments.folder + ": no such folder");
-    return kExitUsage;
+    return kExitWrapper;
   }
   LayerArguments layer = arguments.layer;
   layer.capture = arguments.folder.empty() ? freeFolder(arguments.command[0]) : arguments.folder;
   const auto launch = layerLaunch(layer);
   if (!launch) {
     complain(launch.error().message);
-    return kExitUsage;
+    return kExitWrapper;
   }
   if (const std::string fault = prepareFolder(layer.capture); !fault.empty()) {
     complain(fault);
-    return kExitUsage;
+    return kExitWrapper;
   }
   doctor::sayWhatIsInTheWay(arguments.command, launch.value().files);
   const auto nothing = [] {}; // if this process is killed, the folder stays without an index
   const int status = supervise(launch.value().environment, arguments.command, nothing);
   if (status < 0)
-    return kExitInternal;
-  const int code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
-  if (fs::remove(layer.capture, error)) { // only an empty folder can be removed
+    return kExitWrapper;
+  if (fs::remove(layer.capture, error)) // only an empty folder can be removed
     complain("nothing was captured: no process made a GL context that the layer saw");
-    return code;
-  }
-  return assemble(layer.capture) ? code : kExitUsage;
+  else if (!assemble(layer.capture))
+    return kExitWrapper;
+  endAs(status); // as `run` does
 }
 
 } // namespace arbiter::tools

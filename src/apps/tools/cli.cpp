@@ -55,7 +55,7 @@ bool takeCommand(const CLI::App &subcommand, bool optional, std::vector<std::str
 
 int runCommand(const CLI::App &app, RunArguments &arguments, std::vector<std::string> command) {
   if (!takeCommand(*app.get_subcommand("run"), arguments.printEnvironment, command))
-    return kExitUsage;
+    return kExitWrapper;
   arguments.command = std::move(command);
   return run(arguments);
 }
@@ -63,10 +63,10 @@ int runCommand(const CLI::App &app, RunArguments &arguments, std::vector<std::st
 int captureCommand(const CLI::App &app, CaptureArguments &arguments,
                    std::vector<std::string> command) {
   if (!takeCommand(*app.get_subcommand("capture"), arguments.indexOnly, command))
-    return kExitUsage;
+    return kExitWrapper;
   if (arguments.indexOnly && (arguments.folder.empty() || !command.empty())) {
     complain("--index-only takes a folder (-o DIR) and no command");
-    return kExitUsage;
+    return kExitWrapper;
   }
   arguments.command = std::move(command);
   return capture(arguments);
@@ -136,7 +136,7 @@ void replaceHelp(std::vector<std::string> &words) {
 
 int refuse(const std::string &fault, const std::string &verb) {
   complain(fault + " (arbiter " + verb + (verb.empty() ? "" : " ") + "--help)");
-  return kExitUsage;
+  return verb == "run" || verb == "capture" ? kExitWrapper : kExitUsage;
 }
 
 int interpret(int argc, char **argv) {
@@ -194,5 +194,5 @@ int main(int argc, char **argv) {
   } catch (...) {
     std::fputs("arbiter: internal error\n", stderr);
   }
-  return arbiter::tools::kExitInternal;
+  return arbiter::kExitInternal;
 }

@@ -43,7 +43,7 @@ class Debug(Temporary):
     def debug(self, document, *options, pixel='5,3', status=0):
         result = arbiter('debug', document, '--pixel', pixel, *options)
         self.assertEqual(result.returncode, status, result.stderr + result.stdout[-2000:])
-        return result.stdout if status in (0, 5) else result.stderr
+        return result.stdout if status in (0, 5, 8) else result.stderr
 
     def trace(self, document, *options, pixel='5,3', status=0):
         return json.loads(self.debug(document, '--json', *options, pixel=pixel, status=status))
@@ -117,11 +117,11 @@ class Debug(Temporary):
                              'RCP a.x, fragment.texcoord[0].z;\nMUL a.y, a.x, 0.0;\n'
                              'MOV b, a;\nMOV result.color, b.x;\nEND\n')
         for condition, line in (('inf', 5), ('nan', 6), ('unwritten', 7), ('over1', 5), ('b.x>1', 7)):
-            text = self.debug(document, '--break', condition, status=5)
+            text = self.debug(document, '--break', condition, status=8)
             self.assertIn(f'stopped by {condition} at line {line}', text)
             self.assertIn(f'>{line:5}  ', text)
         self.assertIn('--break kil: no instruction', self.debug(document, '--break', 'kil'))
-        self.assertEqual(self.trace(document, '--break', 'nan', status=5)['stopped'], 1)
+        self.assertEqual(self.trace(document, '--break', 'nan', status=8)['stopped'], 1)
         self.assertNotIn('result.color', self.debug(document, '--line', '6'))
 
     def test_kil(self):

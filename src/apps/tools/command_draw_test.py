@@ -309,7 +309,7 @@ class Layered(Draw):
 
     def test_never_the_bare_hosts_picture(self):
         result = arbiter('draw', '--in-layer', '-', '-o', self.path('x.png'), text=GOOD)
-        self.assertEqual(result.returncode, 4)
+        self.assertEqual(result.returncode, 6)
         self.assertIn('not loaded', result.stderr)
 
 

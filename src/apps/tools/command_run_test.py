@@ -6,6 +6,7 @@ usage: command_run_test.py ARBITER FAKE_LAYER SOURCE_ROOT [unittest arguments]
 import json
 import os
 import pathlib
+import signal
 import subprocess
 
 import command_session
@@ -93,9 +94,9 @@ class Run(Temporary):
         for words in ((), ('--bogus', '--', 'true'), ('--limits', 'maybe', '--', 'true'),
                       ('--profile', 'r30', '--', 'true')):
             result = arbiter('run', '--library', FAKE, *words)
-            self.assertEqual(result.returncode, 1, words)
+            self.assertEqual(result.returncode, 125, words)
             self.assertNotEqual(result.stderr, '', words)
-        self.assertEqual(arbiter('run', '--library', '/none.so', '--', 'true').returncode, 1)
+        self.assertEqual(arbiter('run', '--library', '/none.so', '--', 'true').returncode, 125)
         spaced = self.path('a b.so')
         spaced.write_bytes(pathlib.Path(FAKE).read_bytes())
         self.assertIn('cannot hold', arbiter('run', '--library', spaced, '--', 'true').stderr)
@@ -117,7 +118,7 @@ class Run(Temporary):
         self.assertEqual(preloads[1].stdout, preloads[0].stdout)
         self.assertEqual(len(list((runtime / 'arbiter').iterdir())), 1, 'a link is made once')
         nowhere = arbiter('run', '--library', library, '--', 'true', XDG_RUNTIME_DIR='')
-        self.assertEqual(nowhere.returncode, 1)
+        self.assertEqual(nowhere.returncode, 125)
         self.assertIn('a link to it was not made', nowhere.stderr)
 
     def test_print_environment_is_read_by_a_shell(self):
@@ -139,7 +140,7 @@ class Run(Temporary):
                     ('--extensions-max-year', '1991'), ('--extensions-max-length', '0'),
                     ('--extensions-max-length', '4k'), ('--extension', 'GL_NV_fence'),
                     ('--extension', 'NV_fence=on')):
-            self.assertEqual(arbiter('run', '--library', FAKE, *bad, '--', 'true').returncode, 1)
+            self.assertEqual(arbiter('run', '--library', FAKE, *bad, '--', 'true').returncode, 125)
 
     def test_records_that_are_not_there(self):
         for words in (('stats', self.path('none.json')), ('stats', self.path('none-%p.json'))):
@@ -262,10 +263,20 @@ class Capture(Temporary):
 
     def test_signals(self):
         result = self.capture('--', 'sh', '-c', 'kill -ABRT $$')  # sanitizers handle SEGV themselves
-        self.assertEqual(result.returncode, 128 + 6)
+        self.assertEqual(result.returncode, -signal.SIGABRT)
         for _ in range(20):  # repeated: the command's first act races with the parent's after the fork
             result = self.capture('--', 'sh', '-c', 'kill -TERM $PPID; exec sleep 30')
-            self.assertEqual(result.returncode, 128 + 15, 'TERM was not passed on')
+            self.assertEqual(result.returncode, -signal.SIGTERM, 'TERM was not passed on')
+
+    def test_run_ends_alike(self):
+        plain = self.path('plain', 'x')
+        for words, code in ((('sh', '-c', 'exit 7'), 7), (('sh', '-c', 'exit 1'), 1),
+                            (('sh', '-c', 'kill -ABRT $$'), -signal.SIGABRT),
+                            (('sh', '-c', 'kill -TERM $PPID; exec sleep 30'), -signal.SIGTERM),
+                            (('./nothing',), 127), ((plain,), 126), (('--bogus',), 125), ((), 125)):
+            words = words if words[:1] == ('--bogus',) else ('--', *words)
+            ran = arbiter('run', '--library', FAKE, '--stats', self.path('s.json'), *words)
+            self.assertEqual((ran.returncode, self.capture(*words).returncode), (code, code), words)
 
     def test_errors(self):
         self.path('file').write_text('')
@@ -283,7 +294,7 @@ class Capture(Temporary):
                             (('--index-only', '-o', 'kept', '--', 'true'), 'no command'),
                             (('--replace', 'none', '--', 'true'), 'none: no such folder')):
             result = self.capture(*words)
-            self.assertEqual(result.returncode, 1, words)
+            self.assertEqual(result.returncode, 125, words)
             self.assertIn(text, result.stderr, words)
         self.assertEqual(self.capture('--', './nothing').returncode, 127)
         self.assertEqual((self.path('kept') / ('0' * 32 + '.fp')).read_text(), 'edited')

@@ -108,11 +108,11 @@ class Compile(Temporary):
         said = json.loads(result.stdout)
         self.assertEqual((result.returncode, result.stderr, said['emit'], said['profile']), (0, '', 'glsl', 'r300'))
         program, = said['programs']
-        self.assertEqual((program['valid'], program['diagnostics']), (True, []))
+        self.assertEqual((program['status'], program['diagnostics']), ('valid', []))
         self.assertEqual(program['text'], arbiter('compile', '-', text=GOOD).stdout)
         result = arbiter('compile', '--json', '-', text=BAD)
         program, = json.loads(result.stdout)['programs']
-        self.assertEqual((result.returncode, result.stderr, program['valid']), (2, '', False))
+        self.assertEqual((result.returncode, result.stderr, program['status']), (2, '', 'invalid'))
         self.assertEqual([each['id'] for each in program['diagnostics']], ['undeclared_name'])
         both = json.loads(arbiter('compile', '--json', '-', text=GOOD + VERTEX).stdout)
         self.assertEqual([(each['language'], each['line']) for each in both['programs']],
@@ -319,7 +319,8 @@ class Whole(unittest.TestCase):
         }
         for words, said in rows.items():
             result = arbiter(*words.split())
-            self.assertEqual((result.returncode, result.stderr), (1, said + '\n'), words)
+            code = 125 if words.startswith('run') else 1
+            self.assertEqual((result.returncode, result.stderr), (code, said + '\n'), words)
 
     def test_the_manual_has_every_option(self):
         names = re.findall(r'^  ([a-z]+)  ', arbiter('--help').stdout.partition('Subcommands:')[2], re.M)

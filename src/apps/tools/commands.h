@@ -3,19 +3,11 @@
 #include <string>
 #include <vector>
 
+#include "util/text/exit_codes.h"
+
 /// One function for each subcommand of `arbiter`. cli.cpp alone parses the command line and fills
 /// these structures. Each function returns the process's exit code.
 namespace arbiter::tools {
-
-/// Stable exit codes for scripts and editors; arbiter(1) documents them.
-enum ExitCode : int {
-  kExitOk = 0,
-  kExitUsage = 1,      ///< usage, or a file that cannot be read or written
-  kExitInvalid = 2,    ///< the program is not valid
-  kExitOverNative = 3, ///< valid, but over the modelled hardware's own limits
-  kExitInternal = 4,   ///< a fault of Arbiter's or of the host's GL
-  kExitDiffers = 5,    ///< `debug`: a comparison found a difference, or --break a row
-};
 
 struct CheckArguments {
   std::vector<std::string> profiles; ///< one; two only to compare one file under both

@@ -142,7 +142,7 @@ OPERANDS = {
     'builder': [['good.fp', 'bad.fp']],  # too many: an accepted document would open a window
 }
 # Exit statuses of the command that the verb runs, besides the verb's own.
-BESIDE = {'run': {126, 127}, 'capture': {126, 127}}
+BESIDE = {'run': {0, 1}, 'capture': {0, 1}}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -165,9 +165,7 @@ class Verb:
         statuses = re.search(r'Exit code:(.*?)(?:\n[A-Z]|\Z)', text, re.S)
         self.statuses = {int(each) for each in re.findall(r'\b\d+\b', statuses.group(1))} \
             if statuses else {0, 1}
-        if 'as for check' in text:
-            self.statuses |= {0, 1, 2, 4}
-        self.statuses |= {0, 1} | BESIDE.get(name, set())
+        self.statuses |= {0, 1} if name not in BESIDE else BESIDE[name]
 
     def options_of(self, text):
         for match in re.finditer(r'^  (-\S+)(?: (\S.*?))?(?: {2,}.*)?$', text, re.M):
@@ -248,17 +246,17 @@ class Runner:
 
 def faults_of(verb, options, operands, result):
     status, out, err, written = result
-    if status not in verb.statuses or status == 4:
+    if status not in verb.statuses or status in (4, 6):
         yield f'status {status}: {err.decode(errors="replace")[-400:]}'
         return
-    if status == 1 and not err:
-        yield 'status 1 and nothing said'
+    if status in (1, 125) and not err:
+        yield f'status {status} and nothing said'
     names = {option.name for option in options}
     quiet = ('--' in operands or '--brief' in names or '--library' in names and verb.name == 'run'
              or verb.name == 'lsp')
     if status == 0 and not quiet and not out and not written:
         yield 'success, and nothing written'
-    printed = status != 1 if verb.name == 'check' else verb.name == 'debug' and status in (0, 5)
+    printed = status != 1 if verb.name == 'check' else verb.name == 'debug' and status in (0, 5, 8)
     printed = printed or verb.name in ('defaults', 'doctor', 'profiles', 'cache', 'stats') and status != 1
     printed = printed or verb.name == 'compile' and status != 1 and '--output' not in names
     texts = [out] if '--json' in names and printed else []
@@ -289,7 +287,7 @@ def without_effect(verb, results):
         for option in options:
             less = tuple(each for each in options if each != option)
             base = by_options.get(less)
-            if not base or all(result[0] == 1 for result in outputs.values()):
+            if not base or all(result[0] in (1, 125) for result in outputs.values()):
                 continue
             if any((verb.name, option.name, '='.join(other.words())) in NO_EFFECT
                    for other in options):

@@ -29,13 +29,13 @@ int run(const RunArguments &arguments) {
   const auto launch = layerLaunch(arguments.layer);
   if (!launch) {
     complain(launch.error().message);
-    return kExitUsage;
+    return kExitWrapper;
   }
   const std::vector<Assignment> &environment = launch.value().environment;
   if (arguments.printEnvironment) {
     if (!arguments.command.empty()) {
       complain(arguments.command[0] + " has no effect with --print-environment");
-      return kExitUsage;
+      return kExitWrapper;
     }
     for (const Assignment &assignment : environment)
       std::printf("export %s=%s\n", assignment.name.c_str(), shellQuoted(assignment.value).c_str());
@@ -49,7 +49,7 @@ int run(const RunArguments &arguments) {
   const int status = supervise(environment, arguments.command,
                                [&] { static_cast<void>(completeRecords(records)); });
   if (status < 0)
-    return kExitInternal;
+    return kExitWrapper;
   endAs(status);
 }
 

@@ -12,17 +12,17 @@
 #include "apps/builder/view/theme.h"
 #include "apps/builder/view/window/main_window.h"
 #include "apps/builder/view/window/screenshot.h"
+#include "util/text/exit_codes.h"
 
 namespace {
 
 using namespace arbiter::builder;
 
-constexpr int kExitUsage = 1;
 constexpr int kLeastSide = 320, kMaxSide = 8192; ///< of a screenshot
 
 int fail(const QString &text) {
   std::fprintf(stderr, "arbiter-builder: %s\n", text.toLocal8Bit().constData());
-  return kExitUsage;
+  return arbiter::kExitUsage;
 }
 
 /// The options of the command line.

@@ -201,7 +201,7 @@ int tracePixel(Session &session, const Words &words) {
   } else {
     std::fputs(debug::findingsText(findings).c_str(), stdout);
   }
-  return debug::isDifferent(findings) ? kExitDiffers : kExitOk;
+  return debug::exitCodeOf(findings);
 }
 
 int measureFrame(Session &session, const Words &) {

@@ -46,7 +46,7 @@ public:
       print(debug::findingsJson(m_findings));
     else
       std::fputs(debug::findingsText(m_findings).c_str(), stdout);
-    return debug::isDifferent(m_findings) ? kExitDiffers : kExitOk;
+    return debug::exitCodeOf(m_findings);
   }
 
 private:
@@ -65,7 +65,7 @@ private:
       std::fputs(error.message.c_str(), stderr);
       return kExitInvalid;
     }
-    return refuse(error.message, error.kind == Kind::NoGl ? kExitInternal : kExitUsage);
+    return refuse(error.message, error.kind == Kind::NoGl ? kExitNoGl : kExitUsage);
   }
 
   /// True if the watched values take the place of the trace; the JSON has both.
@@ -225,7 +225,7 @@ private:
     }
     if (m_arguments.json)
       print(json);
-    return stopped ? kExitDiffers : kExitOk;
+    return stopped ? kExitStopped : kExitOk;
   }
 
   /// Returns which pixel a complaint is about, if the command line named none.
@@ -281,7 +281,7 @@ private:
     }
     auto verdict = m_session->verdict(mine, m_x, m_y);
     if (!verdict)
-      return refuse(verdict.error().message, kExitInternal);
+      return refuse(verdict.error().message, kExitNoGl);
     m_findings.verdict = std::move(verdict).value();
     return kExitOk;
   }

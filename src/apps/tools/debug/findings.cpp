@@ -7,6 +7,7 @@
 #include "apps/tools/debug/trace/condition.h"
 #include "apps/tools/debug/trace/numbers.h"
 #include "apps/tools/debug/trace/text.h"
+#include "util/text/exit_codes.h"
 
 namespace arbiter::tools::debug {
 
@@ -126,14 +127,18 @@ Json besideJson(const Trace &trace, const Beside &beside) {
           {"trace", traceJson(beside.trace)}};
 }
 
-} // namespace
-
 bool isDifferent(const Findings &findings) {
-  if (findings.stopped)
-    return true;
   if (findings.beside)
     return findings.beside->first || findings.beside->result;
   return findings.verdict ? !findings.verdict->isEqual() : secondDiffers(findings.trace);
+}
+
+} // namespace
+
+int exitCodeOf(const Findings &findings) {
+  if (findings.stopped)
+    return kExitStopped;
+  return isDifferent(findings) ? kExitDiffers : kExitOk;
 }
 
 std::string summaryText(const Findings &findings) {

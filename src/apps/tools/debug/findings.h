@@ -40,8 +40,8 @@ struct Findings {
   std::optional<Watched> watch;
 };
 
-/// True if a comparison found a difference, or a run stopped.
-[[nodiscard]] bool isDifferent(const Findings &findings);
+/// Returns kExitStopped if a run stopped, and kExitDiffers if a comparison found a difference.
+[[nodiscard]] int exitCodeOf(const Findings &findings);
 /// Returns the comparison's outcome in one line or a few: "swrast drew 8c5a3fff: equal".
 [[nodiscard]] std::string summaryText(const Findings &findings);
 [[nodiscard]] std::string findingsText(const Findings &findings);

@@ -134,7 +134,7 @@ int diagnose(const DoctorArguments &arguments) {
     printJson(examination, arguments);
   else
     print(examination, surroundings.look, arguments.run);
-  return isReached(examination) ? kExitOk : kExitDiffers;
+  return isReached(examination) ? kExitOk : kExitObstacle;
 }
 
 } // namespace arbiter::tools

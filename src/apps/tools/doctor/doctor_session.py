@@ -62,7 +62,7 @@ class Examined(Temporary):
         text = arbiter(*call, '--', *words, **environment)
         twin = arbiter(*call, '--json', '--', *words, **environment)
         report = json.loads(twin.stdout)
-        self.assertEqual(twin.returncode, 0 if report['reached'] else 5, twin.stderr)
+        self.assertEqual(twin.returncode, 0 if report['reached'] else 7, twin.stderr)
         self.assertEqual(text.returncode, twin.returncode)
         self.assertEqual(report['command'], [str(word) for word in words])
         for each in report['findings']:

@@ -82,7 +82,7 @@ int fail(const DrawArguments &arguments, const scene::Document &document,
     break;
   }
   complain(error.message);
-  return kExitInternal;
+  return kExitNoGl;
 }
 
 /// Returns the output file. Without -o it is the document's name with the ending .png, in the

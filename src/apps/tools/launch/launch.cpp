@@ -13,6 +13,7 @@
 #include "fp_compiler/hw/profile.h"
 #include "util/flags.h"
 #include "util/loader_path.h"
+#include "util/text/exit_codes.h"
 
 namespace arbiter::tools {
 
@@ -244,7 +245,7 @@ int execute(const std::vector<Assignment> &environment, const std::vector<std::s
   ::execvp(argv[0], argv.data());
   const int failure = errno;
   complain(command[0] + ": " + std::strerror(failure));
-  return failure == ENOENT ? 127 : 126;
+  return failure == ENOENT ? kExitNoCommand : kExitNotExecutable;
 }
 
 } // namespace arbiter::tools

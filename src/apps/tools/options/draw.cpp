@@ -92,8 +92,9 @@ void addDraw(CLI::App &app, DrawArguments &draw) {
               "function's.\n"
               "An image or a value that no program reads is an error; a unit without an image "
               "samples a checker with its number, and is said.\n"
-              "Exit code: 0 drawn; 1 usage or a file; 2 the program or its panel is invalid; "
-              "4 no GL.\n"
+              "Exit code: " +
+              meaningsOf({kExitOk, kExitUsage, kExitInvalid, kExitNoGl}) +
+              ".\n"
               "Examples:\n"
               "  arbiter draw gallery:twirl --frame 30 -o out.png\n"
               "  arbiter draw shader.fp -o out.png\n"
@@ -131,17 +132,18 @@ void addDebug(CLI::App &app, DebugArguments &debug) {
               "a document: a program text, or a folder with one; gallery:NAME; - is standard input")
       .required()
       .documents();
-  verb.footer("Exit code: 0 equal; 1 usage, a file, or nothing covers the pixel; 2 the program "
-              "is invalid; 4 no GL, or a fault; 5 a comparison found a difference, or --break a "
-              "row.\n"
-              "Examples:\n"
-              "  arbiter debug twirl.fp --pixel 100,200\n"
-              "  arbiter debug twirl.fp --pixel 100,200 --against host\n"
-              "  arbiter debug wrong.fp --pixel 8,8 --against right.fp\n"
-              "  arbiter debug twirl.fp --pixel 8,8 --break nan\n"
-              "  arbiter debug twirl.fp --watch offset@10\n"
-              "  arbiter debug twirl.fp --watch offset@10 --range -1,1 -o offset.png\n"
-              "  arbiter debug shader.fp --texture 0=photo.png");
+  verb.footer(
+      "Exit code: " +
+      meaningsOf({kExitOk, kExitUsage, kExitInvalid, kExitNoGl, kExitDiffers, kExitStopped}) +
+      ".\n"
+      "Examples:\n"
+      "  arbiter debug twirl.fp --pixel 100,200\n"
+      "  arbiter debug twirl.fp --pixel 100,200 --against host\n"
+      "  arbiter debug wrong.fp --pixel 8,8 --against right.fp\n"
+      "  arbiter debug twirl.fp --pixel 8,8 --break nan\n"
+      "  arbiter debug twirl.fp --watch offset@10\n"
+      "  arbiter debug twirl.fp --watch offset@10 --range -1,1 -o offset.png\n"
+      "  arbiter debug shader.fp --texture 0=photo.png");
 }
 
 } // namespace arbiter::tools

@@ -58,6 +58,12 @@ void addLayer(Verb &verb, LayerArguments &layer) {
   verb.group(kLayerGroup, first);
 }
 
+/// Returns the codes of a verb that runs COMMAND and ends as it did.
+std::string wrapperCodes() {
+  return "that of COMMAND, and the signal that ended it ends this too; " +
+         meaningsOf({kExitWrapper, kExitNotExecutable, kExitNoCommand});
+}
+
 void addRun(CLI::App &app, RunArguments &run) {
   Verb verb(app, "run",
             "Run a command, and all that it starts, under the layer:\n"
@@ -66,9 +72,8 @@ void addRun(CLI::App &app, RunArguments &run) {
   verb.flag("--print-environment", run.printEnvironment,
             "print the variables for a shell in place of running a command");
   verb.prefixCommand();
-  verb.footer("Exit code: that of COMMAND, which ends by a signal where COMMAND does; 1 usage; "
-              "126 COMMAND cannot be executed; 127 there "
-              "is no such command.\n"
+  verb.footer("Exit code: " + wrapperCodes() +
+              ".\n"
               "Examples:\n"
               "  arbiter run -- glxgears -info\n"
               "  arbiter run --profile nv30 --stats stats-%p.json -- wine game.exe\n"
@@ -86,7 +91,9 @@ void addStats(CLI::App &app, StatsArguments &stats) {
       "A line for each file, and the sum of several: frames, programs, draws by path, and why the "
       "rasterizer gave draws to the driver. docs/reference/statistics.md explains the words and "
       "the files.\n"
-      "Exit code: 0; 1 usage, or there are no statistics.\n"
+      "Exit code: " +
+      meaningsOf({kExitOk, kExitUsage}) +
+      ".\n"
       "Examples:\n"
       "  arbiter stats /tmp/stats-%p.json\n"
       "  arbiter stats --json game.json server.json");
@@ -105,8 +112,9 @@ void addCapture(CLI::App &app, CaptureArguments &capture) {
               "for piglit, index.json and index.html. Edit a text there, and\n"
               "  arbiter run --replace DIR -- COMMAND\n"
               "loads it in place of the application's, while it runs too.\n"
-              "Exit code: that of COMMAND, or 128 and the signal that ended it; 1 usage or a "
-              "file; 126 COMMAND cannot be executed; 127 there is no such command.\n"
+              "Exit code: " +
+              wrapperCodes() +
+              ".\n"
               "Examples:\n"
               "  arbiter capture -o game.capture -- ./game\n"
               "  arbiter capture --index-only -o game.capture");
@@ -117,6 +125,9 @@ void addCache(CLI::App &app, CacheArguments &cache) {
   verb.flag("--clear", cache.clear, "remove them");
   verb.flag("--json", cache.json, "as one JSON document");
   verb.footer("ARBITER_CACHE and ARBITER_CACHE_MAX_MB rule the cache; see arbiter(7).\n"
+              "Exit code: " +
+              meaningsOf({kExitOk, kExitUsage}) +
+              ".\n"
               "Examples:\n  arbiter cache\n  arbiter cache --clear");
 }
 

@@ -55,8 +55,9 @@ void addCheck(CLI::App &app, CheckArguments &check) {
       .documents();
   verb.footer("Up to eight files get a table each; more, or a folder, the lines of what is "
               "wrong and a summary.\n"
-              "Exit code: 0 valid; 1 usage, or a file cannot be read; 2 invalid; 3 valid but "
-              "over the native limits; 4 internal error. The worst file decides; with --profile "
+              "Exit code: " +
+              meaningsOf({kExitOk, kExitUsage, kExitInvalid, kExitOverNative}) +
+              ". The worst file decides; with --profile "
               "all a program counts as on the card that takes it best; with --compare the second "
               "file decides, or the second profile.\n"
               "Examples:\n"
@@ -88,7 +89,8 @@ void addCompile(CLI::App &app, CompileArguments &compile) {
   verb.flag("--json", compile.json, "what is emitted as one JSON document, with the diagnostics");
   verb.option("-o,--output", compile.output, "file to write; - is standard output").showDefault();
   verb.option("FILE", compile.file, "a program text; - is standard input").required();
-  verb.footer("Exit code: as for check, without 3.\n"
+  verb.footer("Exit code: " + meaningsOf({kExitOk, kExitUsage, kExitInvalid}) +
+              ".\n"
               "Examples:\n"
               "  arbiter compile --emit glsl shader.fp\n"
               "  arbiter compile --emit ir -O shader.fp -o shader.ir");
@@ -107,8 +109,9 @@ void addReport(CLI::App &app, ReportArguments &report) {
       .required();
   verb.footer("The page needs nothing beside it and asks nothing of a network. Its address "
               "keeps how the table is sorted and filtered: page.html#sort=cycles&filter=water\n"
-              "Exit code: 0 written, whatever the programs are; 1 usage, no program, or a file "
-              "that cannot be read or written; 4 internal error.\n"
+              "Exit code: " +
+              meaningsOf({kExitOk, kExitUsage}) +
+              ". The programs do not count.\n"
               "Examples:\n"
               "  arbiter report shaders -o shaders.html\n"
               "  arbiter report game.capture --profile nv30 -o game.html --json game.json");
@@ -118,7 +121,9 @@ void addProfiles(CLI::App &app, ProfilesArguments &profiles) {
   Verb verb(app, "profiles", "List the hardware profiles, or print one with its sources");
   verb.flag("--json", profiles.json, "as one JSON document");
   verb.option("NAME", profiles.name, "a name, or a TOML file");
-  verb.footer("Examples:\n  arbiter profiles\n  arbiter profiles r300 > mine.toml");
+  verb.footer("Exit code: " + meaningsOf({kExitOk, kExitUsage}) +
+              ".\n"
+              "Examples:\n  arbiter profiles\n  arbiter profiles r300 > mine.toml");
 }
 
 } // namespace arbiter::tools

@@ -14,7 +14,9 @@ void addDefaults(CLI::App &app, DefaultsArguments &defaults) {
   verb.prefixCommand();
   verb.footer("The layer follows them in every process that it is loaded into; a variable or an "
               "option wins over them (arbiter-defaults(5)).\n"
-              "Exit code: 0; 1 usage, or there is no such command; 2 --check found an error.\n"
+              "Exit code: " +
+              meaningsOf({kExitOk, kExitUsage, kExitInvalid}) +
+              ".\n"
               "Examples:\n"
               "  arbiter defaults\n"
               "  arbiter defaults -- wine glquake.exe\n"
@@ -36,7 +38,8 @@ void addDoctor(CLI::App &app, DoctorArguments &doctor) {
   verb.option("--library", doctor.library, "the layer's library, where it is not beside us");
   verb.flag("--json", doctor.json, "as one JSON document");
   verb.prefixCommand();
-  verb.footer("Exit code: 0 nothing is in the way; 1 usage; 5 something is, and was said.\n"
+  verb.footer("Exit code: " + meaningsOf({kExitOk, kExitUsage, kExitObstacle}) +
+              ".\n"
               "Examples:\n"
               "  arbiter doctor -- ./game\n"
               "  arbiter doctor --run --for 10 -- ./game -window");

@@ -24,7 +24,9 @@ void addCtl(CLI::App &app, CtlArguments &ctl) {
               "An ID is what programs prints, or as much of its beginning as no other has.\n"
               "What set, param, paint, enable and disable change is undone when this ends; set "
               "follows its file meanwhile.\n"
-              "Exit code: 0; 1 usage, no such process, or no answer; 2 a text is not valid.\n"
+              "Exit code: " +
+              meaningsOf({kExitOk, kExitUsage, kExitInvalid, kExitDiffers}) +
+              ".\n"
               "Examples:\n"
               "  arbiter run --control -- ./game &\n"
               "  arbiter ctl programs\n"
@@ -44,7 +46,9 @@ void addRender(CLI::App &app, RenderArguments &render) {
   verb.flag("--in-layer", render.inLayer).hidden(); // render passes it to its own second process
   verb.footer("The builder starts it. The messages are those of docs/write/control.md; frames go "
               "through shared memory.\n"
-              "Exit code: 0 the client is gone; 1 usage, or no socket; 4 no GL.\n"
+              "Exit code: " +
+              meaningsOf({kExitOk, kExitUsage, kExitNoGl}) +
+              ".\n"
               "Example:\n  arbiter render --folder shaders");
 }
 
@@ -54,7 +58,8 @@ void addLsp(CLI::App &app, LspArguments &lsp) {
   verb.footer(
       "An editor starts it; docs/write/editors.md says how. The profile can be changed while "
       "it runs, by the setting arbiter.profile.\n"
-      "Exit code: 0 after shutdown and exit; 1 otherwise.");
+      "Exit code: " +
+      meaningsOf({kExitOk, kExitUsage}) + ". An end without shutdown and exit is wrong usage.");
 }
 
 void addBuilder(CLI::App &app, BuilderArguments &builder) {
@@ -72,8 +77,9 @@ void addBuilder(CLI::App &app, BuilderArguments &builder) {
   verb.footer(
       "The window is the program arbiter-builder, which needs Qt 6; docs/write/builder_window.md "
       "says what it has.\n"
-      "Exit code: that of the window; 1 where arbiter-builder is not installed, there is "
-      "no display, or the picture cannot be taken.\n"
+      "Exit code: " +
+      meaningsOf({kExitOk, kExitUsage}) +
+      ".\n"
       "Examples:\n"
       "  arbiter builder --screenshot window.png --size 1024x700 shader.fp\n"
       "  arbiter builder\n"

@@ -69,7 +69,7 @@ int renderHere(const RenderArguments &arguments) {
     complain(step);
   server->stop();
   socket.join();
-  return step ? kExitInternal : kExitOk;
+  return step ? kExitNoGl : kExitOk;
 }
 
 } // namespace

@@ -9,14 +9,13 @@
 #include <unistd.h>
 
 #include "apps/builder/model/text/edit.h"
+#include "util/text/exit_codes.h"
 
 namespace arbiter::builder {
 
 namespace {
 
 constexpr int kChildDescriptor = 3;
-/// The command's exit code for an unknown verb or option.
-constexpr int kExitUsage = 1;
 constexpr int kNice = 5;
 constexpr qint64 kKeptRevisions = 64;
 

@@ -6,12 +6,11 @@
 #include <unistd.h>
 
 #include "apps/builder/model/render/work_folder.h"
+#include "util/text/exit_codes.h"
 
 namespace arbiter::builder {
 
 namespace {
-
-constexpr int kExitInvalid = 2; ///< as in arbiter(1): the program is invalid
 
 QStringList argumentsOf(const RenderOptions &options, const QString &document,
                         const QString &picture) {

@@ -10,6 +10,7 @@
 #include "apps/builder/view/panels/attach_panel.h"
 #include "apps/builder/view/picture/picture_view.h"
 #include "apps/builder/view/window/main_window.h"
+#include "util/text/exit_codes.h"
 
 namespace arbiter::builder {
 
@@ -129,7 +130,7 @@ private:
                    "arbiter-builder: not all was there after %d s: %s shows what was (%s)\n",
                    int(kPatience / 1000), m_shot.png.toLocal8Bit().constData(),
                    m_bench.statusText().toLocal8Bit().constData());
-    QApplication::exit(written && !late ? 0 : 1);
+    QApplication::exit(written && !late ? kExitOk : kExitUsage);
   }
 
   MainWindow &m_window;
