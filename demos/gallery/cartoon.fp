@@ -3,7 +3,7 @@
 #@ mesh knot tube 0.24, camera orbit yaw -30 pitch 15 distance 3, vertex surface.vp
 #@ local[0].xyz "light" = 2 2 3 in -5..5
 #@ local[1] = eye
-#@ local[2].rgb "paint" = 0.95 0.35 0.2 colour
+#@ local[2].rgb "paint" = 0.95 0.35 0.2 color
 #@ texture 0 = gradient 256 1 low 0.35 high 1 steps 3, nearest, edge
 #@ texture 1 = gradient 256 1 low 0.05 high 1 power 0.35 steps 2, linear, edge
 # A function is a texture: the first one makes a few paints of the angle to the light, the second one

@@ -2,8 +2,8 @@
 #@ title "Gooch shading", size 512 512, clear 0.95 0.94 0.9 1
 #@ mesh knot, camera orbit yaw 20 pitch 25 distance 3, vertex surface.vp
 #@ local[0].xyz "light" = 2 3 2 in -5..5 animate turn 8s
-#@ local[1].rgb "cool" = 0.15 0.25 0.6 colour
-#@ local[2].rgb "warm" = 0.85 0.65 0.2 colour
+#@ local[1].rgb "cool" = 0.15 0.25 0.6 color
+#@ local[2].rgb "warm" = 0.85 0.65 0.2 color
 #@ local[3] = eye
 # From cool to warm by the angle to the light, as technical drawings are shaded; a highlight is added.
 PARAM light = program.local[0];

@@ -2,7 +2,7 @@
 #@ title "Lighting 4: bricks, bumps, highlights", size 512 512
 #@ mesh torus, camera orbit pitch 35 distance 2.8, vertex tangent.vp
 #@ texcoord 1 = tangent, texcoord 2 = binormal
-#@ texture 0 = normals strength 3 of bricks 256 256 rows 16 columns 16 grey 1, linear
+#@ texture 0 = normals strength 3 of bricks 256 256 rows 16 columns 16 gray 1, linear
 #@ texture 1 = bricks 256 256 rows 16 columns 16, linear
 #@ local[0].x "shininess" = 24 in 1..100, local[0].y "gloss" = 0.6 in 0..1
 # All of it: the colour is a texture too, and LIT makes diffuse and specular of two angles.

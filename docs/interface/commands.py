@@ -133,7 +133,9 @@ def window():
     rows = re.findall(r'QCommandLineOption (\w+)\{(.*?)\};', source, re.S)
     for member, body in rows:
         literals = re.findall(r'QStringLiteral\("([^"]*)"\)', body)
-        entry = {'key': f'arbiter-builder --{literals[0]}'}
+        entry = {'key': f'arbiter-builder --{next(each for each in literals if len(each) > 1)}'}
+        if len(literals[0]) == 1:
+            entry['short'] = f'-{literals.pop(0)}'
         last = re.search(r'QStringLiteral\("([^"]*)"\)\s*$', body)
         takes = last and len(literals) > 1
         entry['takes'] = 'a value' if takes else 'nothing'
@@ -144,12 +146,12 @@ def window():
             raise Broken(f'src/apps/builder/view/main.cpp: {member} is not added')
     if source.count('QCommandLineOption ') != len(rows):
         raise Broken('src/apps/builder/view/main.cpp: an option that cannot be read')
-    schemes = [word for word in re.search(r'"colours"\), QObject::tr\("([^"]*)"', source).group(1)
+    schemes = [word for word in re.search(r'"colors"\), QObject::tr\("([^"]*)"', source).group(1)
                .replace(' or ', ', ').split(', ') if word]
     panels = re.search(r'MainWindow::panelNames\(\) \{(.*?)\}', text_of('src/apps/builder/view/window/main_window.cpp'),
                        re.S).group(1)
     for entry in entries:
-        if entry['key'].endswith('--colours'):
+        if entry['key'].endswith('--colors'):
             entry['choices'] = schemes
         if entry['key'].endswith('--panel'):
             entry['choices'] = re.findall(r'tr\("(\w+)"\)', panels)

@@ -109,10 +109,10 @@ def checks(runs):
         compare.add(runs.document('check', '--json', '--compare', *pair))
     compare.add(runs.document('check', '--json', '--compare', '--profile', 'r300', '--profile', 'nv30', 'nodes.fp'))
     report = tree('report', same={'programs[].check': (check, 'files[]')})
-    report.add(runs.document('report', '--json', '-', '-o', 'page.html', *names))
+    report.add(runs.document('report', '--json', '-o', 'page.html', *names))
     for folder, words, name in CAPTURES:
         runs.run('capture', *words, '-o', folder, '--', runs.arbiter, 'draw', '--bare', '-o', 'drawn.png', name)
-        report.add(runs.document('report', '--json', '-', '-o', 'page.html', folder))
+        report.add(runs.document('report', '--json', '-o', 'page.html', folder))
     return [check, cards, compare, report]
 
 
@@ -214,7 +214,7 @@ def report_of_editor(runs, check):
     check.add(next(answer for answer in answers if answer.get('id') == 1)['result'], 'files[]')
 
 
-COMMANDS = {'check': 'arbiter check --json FILE...', 'report': 'arbiter report --json JSON FILE...',
+COMMANDS = {'check': 'arbiter check --json FILE...', 'report': 'arbiter report --json FILE...',
             'check --profile all': 'arbiter check --profile all --json FILE...',
             'check --compare': 'arbiter check --compare --json FILE FILE',
             'compile': 'arbiter compile --json FILE', 'defaults': 'arbiter defaults --json',

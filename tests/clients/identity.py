@@ -173,16 +173,16 @@ def check_kind(options, kind):
 
 def check_switches(options, kind):
     """Checks single names that are switched on and off, with a profile's identity and without."""
-    switched = ask(options, kind, ['--extension', 'GL_EXT_abgr=off', '--extension', 'GL_ARB_vertex_program=off'])
+    switched = ask(options, kind, ['--extensions', 'GL_EXT_abgr=off', '--extensions', 'GL_ARB_vertex_program=off'])
     for name in ('GL_EXT_abgr', 'GL_ARB_vertex_program'):
         expect(name not in switched['names'] and f'{name} ' not in switched['extensions'], f'{name} is still there')
     expect('GL_ARB_fragment_program' in switched['names'], 'what was not named went')
     card = ['--identity', 'profile', '--profile', 'r300']
-    switched = ask(options, kind, [*card, '--extension', 'GL_ARB_direct_state_access=on', '--extension',
+    switched = ask(options, kind, [*card, '--extensions', 'GL_ARB_direct_state_access=on', '--extensions',
                                    'GL_NV_fence=on'])
     for name in ('GL_ARB_direct_state_access', 'GL_NV_fence'):
         expect(name in switched['names'], f'{name} was asked for: {switched["names"]}')
-    host = ask(options, kind, ['--profile', 'host', '--extension', 'GL_NV_vertex_program=on'])
+    host = ask(options, kind, ['--profile', 'host', '--extensions', 'GL_NV_vertex_program=on'])
     expect('GL_NV_vertex_program' in host['names'], 'the profile host has it, and was asked for it')
 
 
@@ -193,7 +193,7 @@ def check_glx(options):
     with XServer() as display:
         bare = ask(options, 'glx', None, DISPLAY=display)
         expect(set(ask(options, 'glx', [], DISPLAY=display)) == set(bare), 'GLX\'s names without an option')
-        asked = ['--extension', f'{bare[0]}=off', '--extension', f'{bare[1]}=on', '--extension', 'GLX_NOT_there=on']
+        asked = ['--extensions', f'{bare[0]}=off', '--extensions', f'{bare[1]}=on', '--extensions', 'GLX_NOT_there=on']
         seen = ask(options, 'glx', asked, DISPLAY=display)
         expect(set(seen) == set(bare[1:]), f'{bare[0]} was to go: {seen}')
     return True

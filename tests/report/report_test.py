@@ -45,7 +45,7 @@ class Folder(unittest.TestCase):
         scratch = tempfile.TemporaryDirectory(prefix='arbiter-report-')
         self.addCleanup(scratch.cleanup)
         self.scratch = pathlib.Path(scratch.name)
-        self.page, self.json = self.scratch / 'page.html', self.scratch / 'page.json'
+        self.page = self.scratch / 'page.html'
 
     def put(self, name, text):
         path = self.scratch / name
@@ -63,9 +63,9 @@ class Folder(unittest.TestCase):
         return self.scratch / 'set'
 
     def report(self, *words, code=0):
-        result = run(ARBITER, 'report', '-o', self.page, '--json', self.json, *words)
+        result = run(ARBITER, 'report', '-o', self.page, '--json', *words)
         self.assertEqual(result.returncode, code, result.stderr)
-        return Page(self.page.read_text(encoding='utf-8')), json.loads(self.json.read_text())
+        return Page(self.page.read_text(encoding='utf-8')), json.loads(result.stdout)
 
 
 class Content(Folder):
@@ -133,7 +133,7 @@ class Content(Folder):
         self.assertIn('no programs in this folder', result.stderr)
         self.assertFalse((self.scratch / 'not.html').exists())
         for words in (['-o', '/nowhere/x.html', self.page], ['--profile', 'voodoo', self.page],
-                      ['-o', '-', '--json', '-', self.page], []):
+                      ['-o', '-', '--json', self.page], []):
             self.assertEqual(run(ARBITER, 'report', *words).returncode, 1)
 
     def test_standard_output(self):
@@ -255,7 +255,7 @@ class Browser(Folder):
             return list(pool.map(function, arguments))
 
     def test_the_address_sorts_and_filters(self):
-        self.report(self.put_set())
+        _, report = self.report(self.put_set())
         page = self.dom(f'{self.page.as_uri()}#sort=-alu&status=fits&filter=.fp')
         head, = page.find('th', **{'data-k': 'alu'})
         self.assertEqual(head['aria-sort'], 'ascending')
@@ -264,7 +264,7 @@ class Browser(Folder):
         shown = [row for row in rows if 'hidden' not in row]
         self.assertEqual({row['data-s'] for row in shown}, {'fits'})
         self.assertEqual(len(shown), 8)
-        twin = {program['name']: program['check'] for program in json.loads(self.json.read_text())['programs']}
+        twin = {program['name']: program['check'] for program in report['programs']}
         counts = [next(check['counts']['alu_instructions']['native_used']
                        for name, check in twin.items() if row['text'].startswith(name))
                   for row in shown]

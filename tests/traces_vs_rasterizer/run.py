@@ -77,7 +77,7 @@ class Times:
 
 def is_opaque(text):
     """True if the picture has the fragment's own color."""
-    return not re.search(r'^#@.*\b(blend (?!off)|colour off)', text, re.MULTILINE)
+    return not re.search(r'^#@.*\b(blend (?!off)|color off)', text, re.MULTILINE)
 
 
 def calls_functions(trace, text):

@@ -28,7 +28,7 @@ std::string parameterLine(const ir::Parameter &parameter, Random &random) {
 /// The units of testing::kUnitTargets: 0 is 2D, 1 1D, 3 CUBE, 4 RECT.
 constexpr const char *kTextures =
     "#@ texture 0 = clouds 32 32, linear\n#@ texture 1 = gradient 32 1 power 2, linear\n"
-    "#@ texture 3 = normalise 16\n#@ texture 4 = noise 16 16, nearest, edge\n";
+    "#@ texture 3 = normalize 16\n#@ texture 4 = noise 16 16, nearest, edge\n";
 
 std::string panelOf(const ir::Program &program, std::uint64_t seed) {
   Random random(seed);

@@ -63,7 +63,7 @@ enum class Coordinate : std::uint8_t {
 
 /// True if the source is a cube map of six images.
 [[nodiscard]] constexpr bool isCube(Generator generator) {
-  return generator == Generator::Normalise || generator == Generator::Sky ||
+  return generator == Generator::Normalize || generator == Generator::Sky ||
          generator == Generator::Cube;
 }
 

@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <utility>
 
 #include "apps/tools/commands.h"
 #include "apps/tools/draw/gallery.h"
@@ -39,6 +40,28 @@ std::string remedy(const fs::path &here) {
   return "the window is not installed: it is in the package arbiter-builder";
 }
 
+/// Returns the command line of the window, whose options have the same names.
+std::vector<std::string> commandOf(const std::string &window, const BuilderArguments &arguments) {
+  const std::pair<const char *, const std::string &> options[] = {
+      {"--screenshot", arguments.screenshot},
+      {"--size", arguments.size},
+      {"--colors", arguments.colors},
+      {"--panel", arguments.panel},
+      {"--edit", arguments.edit},
+      {"--pixel", arguments.pixel},
+      {"--watch", arguments.watch},
+      {"--attach", arguments.attach}};
+  std::vector<std::string> command = {window};
+  for (const auto &[name, value] : options)
+    if (!value.empty())
+      command.insert(command.end(), {name, value});
+  if (arguments.small)
+    command.emplace_back("--small");
+  if (!arguments.document.empty())
+    command.insert(command.end(), {"--", arguments.document});
+  return command;
+}
+
 } // namespace
 
 int builder(const BuilderArguments &arguments) {
@@ -52,14 +75,7 @@ int builder(const BuilderArguments &arguments) {
     complain(path.error().message);
     return kExitUsage;
   }
-  std::vector<std::string> command = {window};
-  if (!arguments.screenshot.empty())
-    command.insert(command.end(), {"--screenshot", arguments.screenshot});
-  if (!arguments.size.empty())
-    command.insert(command.end(), {"--size", arguments.size});
-  if (!arguments.document.empty())
-    command.insert(command.end(), {"--", arguments.document});
-  return execute({}, command);
+  return execute({}, commandOf(window, arguments));
 }
 
 } // namespace arbiter::tools

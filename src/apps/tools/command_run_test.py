@@ -130,16 +130,16 @@ class Run(Temporary):
     def test_identity_options_become_variables(self):
         result = arbiter('run', '--library', FAKE, '--print-environment', '--identity', 'profile',
                          '--extensions-max-year', '2003', '--extensions-max-length', '4095',
-                         '--fixed-function', 'always', '--attributes', 'alias', '--extension', 'GL_NV_fence=on',
-                         '--extension', 'GLX_EXT_swap_control=off')
+                         '--fixed-function', 'always', '--attributes', 'alias', '--extensions', 'GL_NV_fence=on',
+                         '--extensions', 'GLX_EXT_swap_control=off')
         for line in ("ARBITER_ATTRIBUTES='alias'", "ARBITER_IDENTITY='profile'", "ARBITER_FIXED_FUNCTION='always'",
                      "ARBITER_EXTENSIONS_MAX_YEAR='2003'", "ARBITER_EXTENSIONS_MAX_LENGTH='4095'",
                      "ARBITER_EXTENSIONS='GL_NV_fence=on,GLX_EXT_swap_control=off'"):
             self.assertIn('export ' + line + '\n', result.stdout)
         for bad in (('--identity', 'r300'), ('--extensions-max-year', '-1'),
                     ('--extensions-max-year', '1991'), ('--extensions-max-length', '0'),
-                    ('--extensions-max-length', '4k'), ('--extension', 'GL_NV_fence'),
-                    ('--extension', 'NV_fence=on')):
+                    ('--extensions-max-length', '4k'), ('--extensions', 'GL_NV_fence'),
+                    ('--extensions', 'NV_fence=on')):
             self.assertEqual(arbiter('run', '--library', FAKE, *bad, '--', 'true').returncode, 125)
 
     def test_records_that_are_not_there(self):

@@ -101,7 +101,7 @@ class Compile(Temporary):
         for numerics, given in (('legacy', text), ('fp24', text), ('fx9', GOOD)):  # only the passes use numerics
             refused = arbiter('compile', '--emit', 'ir', '--profile', 'nv20', '--numerics', numerics, '-', text=given)
             self.assertEqual((refused.returncode, refused.stdout), (1, ''))
-            self.assertIn('--numerics has no effect with --emit ir but beside --optimise', refused.stderr)
+            self.assertIn('--numerics has no effect with --emit ir but beside --optimize', refused.stderr)
 
     def test_json(self):
         result = arbiter('compile', '--json', '-', text=GOOD)

@@ -105,7 +105,7 @@ struct CaptureArguments {
 struct ReportArguments {
   std::string profile;                ///< empty: the capture's, or the user's
   std::string output = "report.html"; ///< "-": standard output
-  std::string json;                   ///< empty: none
+  bool json = false;                  ///< print the same as JSON
   std::vector<std::string> operands;  ///< files, folders, or one capture
 };
 /// Writes one HTML page about a set of programs.
@@ -198,6 +198,13 @@ struct BuilderArguments {
   std::string document;   ///< a program or a folder; empty: none
   std::string screenshot; ///< PNG file for a picture of the window, which then exits; empty: none
   std::string size;       ///< "WxH" of the picture; empty: 1280x800
+  bool small = false;     ///< the picture has few colours
+  std::string colors;     ///< "system", "light" or "dark"; empty: as before
+  std::string panel;      ///< to bring to the front; empty: by the document
+  std::string edit;       ///< "FROM=>TO": what a picture shows replaced
+  std::string pixel;      ///< "X,Y", to debug
+  std::string watch;      ///< a line
+  std::string attach;     ///< the number of a process
 };
 /// Replaces this process with `arbiter-builder`, the window, which is installed beside this
 /// command.

@@ -73,7 +73,7 @@ int emitProgram(std::string_view text, const CompileArguments &arguments,
   const bool isIr = arguments.emit == "ir" || arguments.emit == "assembly";
   if (isIr && arguments.numerics == "fx9" && !arguments.optimise && !fp::ir::isNvparse(language)) {
     complain("--numerics has no effect with --emit " + arguments.emit +
-             " but beside --optimise, "
+             " but beside --optimize, "
              "or on register combiners");
     return kExitUsage;
   }

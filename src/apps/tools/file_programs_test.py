@@ -127,10 +127,10 @@ class Verbs(Temporary):
 
     def test_report(self):
         path = self.path('bump.vfp', PAIR)
-        page, data = self.path('page.html'), self.path('data.json')
-        seen = arbiter('report', '-o', page, '--json', data, path)
+        page = self.path('page.html')
+        seen = arbiter('report', '-o', page, '--json', path)
         self.assertIn('programs: 2, fit: 2,', seen.stderr)
-        programs = json.loads(data.read_text())['programs']
+        programs = json.loads(seen.stdout)['programs']
         self.assertEqual([program['name'] for program in programs],
                          [f'{path}, ARBvp1.0 of line 4', f'{path}, ARBfp1.0 of line 11'])
         self.assertEqual([line['line'] for line in programs[1]['lines']], [14, 15, 16])

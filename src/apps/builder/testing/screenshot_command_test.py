@@ -64,12 +64,37 @@ class Screenshot(unittest.TestCase):
         pictures = [screenshots.size_of(self.folder / f'{name}.png') for name in ('Scene', 'scene')]
         self.assertEqual(*pictures)
 
+    def test_options_reach_the_window(self):
+        def taken(*words):
+            result = self.run_builder('--screenshot', self.png, *words, 'gallery:twirl')
+            self.assertEqual(result.returncode, 0, (words, result.stderr))
+            return self.png.read_bytes()
+
+        light, traced = ('--colors', 'light'), ('--panel', 'Debug', '--pixel', '200,200')
+        plain = taken(*light)
+        self.assertNotEqual(taken('--colors', 'dark'), plain)
+        for words in (('--panel', 'Scene'), ('--small',), ('--edit', 'END=># edited\nEND'), traced):
+            self.assertNotEqual(taken(*light, *words), plain, words)
+        self.assertNotEqual(taken(*light, *traced, '--watch', '12'), taken(*light, *traced))
+
+    def test_both_commands_say_the_same_version(self):
+        window = pathlib.Path(ARBITER).parents[1] / 'builder' / 'view' / 'arbiter-builder'
+        command = subprocess.run([ARBITER, '--version'], capture_output=True, text=True)
+        for word in ('--version', '-V'):
+            shown = subprocess.run([window, word], capture_output=True, text=True,
+                                   env={**os.environ, 'QT_QPA_PLATFORM': 'offscreen'})
+            self.assertEqual(shown.returncode, 0)
+            self.assertEqual(shown.stdout, command.stdout.replace('arbiter ', 'arbiter-builder '))
+
     def test_what_cannot_be_is_said(self):
         for words, said in (
                 (('--screenshot', self.png, self.folder / 'none.fp'), 'none.fp'),
                 (('--screenshot', self.png, '--size', '10x10', 'gallery:twirl'), 'WxH'),
                 (('--screenshot', self.png, '--size', 'wide', 'gallery:twirl'), 'WxH'),
                 (('--size', '640x480', 'gallery:twirl'), '--screenshot'),
+                (('--watch', '3', '--screenshot', self.png, 'gallery:twirl'), '--watch needs --pixel'),
+                (('--colors', 'pink', 'gallery:twirl'), 'light'),
+                (('--panel', 'nothing', '--screenshot', self.png, 'gallery:twirl'), 'the panels are'),
                 (('--screenshot', self.folder / 'no' / 'a.png', 'gallery:pass_through'),
                  'cannot be written'),
                 (('gallery:twirl',), 'no display')):

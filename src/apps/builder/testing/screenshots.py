@@ -73,7 +73,7 @@ def size_of(png):
 
 def shoot(arguments, shot, colours, scale, png, folder, more=(), **further):
     name, document, change, panel, pixel = shot
-    words = [arguments.builder, '--screenshot', str(png), '--colours', colours, '--panel', panel, *more]
+    words = [arguments.builder, '--screenshot', str(png), '--colors', colours, '--panel', panel, *more]
     if pixel:
         words += ['--pixel', pixel]
     if document:

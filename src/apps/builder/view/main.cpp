@@ -1,4 +1,5 @@
 // The window's program: arbiter-builder [FILE|FOLDER]. `arbiter builder` starts it.
+#include <GL/arbiter.h>
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QRegularExpression>
@@ -27,7 +28,7 @@ int fail(const QString &text) {
 
 /// The options of the command line.
 struct Options {
-  QCommandLineOption scheme{QStringLiteral("colours"), QObject::tr("system, light or dark"),
+  QCommandLineOption scheme{QStringLiteral("colors"), QObject::tr("system, light or dark"),
                             QStringLiteral("SCHEME")};
   QCommandLineOption shot{QStringLiteral("screenshot"),
                           QObject::tr("write a picture of the window when it has drawn, and end"),
@@ -55,8 +56,11 @@ struct Options {
                             QObject::tr("for a picture: the process to attach to"),
                             QStringLiteral("PID")};
 
+  QCommandLineOption version{{QStringLiteral("V"), QStringLiteral("version")},
+                             QObject::tr("say which version this is, and end")};
+
   void addTo(QCommandLineParser &parser) const {
-    parser.addOptions({scheme, shot, size, small, panel, edit, pixel, watch, attach});
+    parser.addOptions({scheme, shot, size, small, panel, edit, pixel, watch, attach, version});
   }
 };
 
@@ -148,6 +152,10 @@ int main(int argc, char **argv) {
     return fail(parser.errorText());
   if (parser.isSet(QStringLiteral("help")))
     parser.showHelp();
+  if (parser.isSet(options.version)) {
+    std::puts("arbiter-builder " ARBITER_VERSION_TEXT);
+    return arbiter::kExitOk;
+  }
   if (parser.positionalArguments().size() > 1)
     return fail(QObject::tr("one document at a time"));
   const QSettings settings;

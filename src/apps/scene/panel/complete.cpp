@@ -158,7 +158,7 @@ private:
     if (has("rotate"))
       addArguments<ValueKind>();
     add("in", "LOW..HIGH: its range");
-    add("colour", "to be picked as a colour");
+    add("color", "to be picked as a colour");
     add("animate", "how it changes with time");
   }
 

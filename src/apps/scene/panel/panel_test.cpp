@@ -65,13 +65,13 @@ TEST(Panel, SpansAreTheNumbersBytes) {
 TEST(Panel, ReadsEveryKindOfLine) {
   const Panel panel = parsePanel(R"(!!ARBfp1.0
 #@ title "A scene", numerics fp24, rate 25, depth lequal write off, cull back, stencil lit
-#@ colour off, clear 0.1 0.2 0.3 1, keep, target shadow 256 128, blend add
+#@ color off, clear 0.1 0.2 0.3 1, keep, target shadow 256 128, blend add
 #@ mesh shells count 8 of torus parts 24 at 0 1 0 scale 0.5 and plane at 0 -1 0
 #@ camera orbit yaw 30 pitch -20 distance 5 y 0.5
 #@ texcoord 1 = normal, texcoord 2 = st 0.5 -0.25
 #@ env[4..6] "elbow" = rotate 40 z 1 py 0.2 in -60..60 animate triangle 2s
 #@ env[8..11] = camera shadow, local[2] = eye
-#@ local[1].rgb "paint" = 1 0.5 .25 colour, attrib[3] = 1 2 3 4
+#@ local[1].rgb "paint" = 1 0.5 .25 color, attrib[3] = 1 2 3 4
 #@ texture 2 = normals strength 3 of "my heights.png", mipmap
 #@ texture 3 = feedback of cells 64 64 density 0.4
 #@ texture 4 = cube a.png b.png c.png d.png e.png f.png, texture 5 = depthof other, compare

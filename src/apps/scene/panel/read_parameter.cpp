@@ -153,7 +153,7 @@ bool readParameter(Reader &reader, Setting space, std::uint32_t begin) {
     found = false;
     if (reader.acceptWord("in") && (found = true) && !readRange(reader, parameter))
       return false;
-    if (reader.acceptWord("colour"))
+    if (reader.acceptWord("color"))
       parameter.color = found = true;
     if (reader.acceptWord("animate") && (found = true) && !readAnimation(reader, parameter))
       return false;

@@ -101,7 +101,7 @@ Image makeNormals(const Image &heights, float strength) {
   return image;
 }
 
-std::vector<Image> makeNormalise(int side) {
+std::vector<Image> makeNormalize(int side) {
   return cube(side, [](const glm::vec3 &direction) { return direction * 0.5f + 0.5f; });
 }
 

@@ -109,8 +109,8 @@ Images makeSized(const TextureSource &source, const std::string &folder, int wid
     return readFlat(source.files.front(), folder);
   case Generator::Cube:
     return readCube(source, folder);
-  case Generator::Normalise:
-    return makeNormalise(width);
+  case Generator::Normalize:
+    return makeNormalize(width);
   case Generator::Sky:
     return makeSky(source, width);
   case Generator::Normals: {

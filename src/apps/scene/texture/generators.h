@@ -30,7 +30,7 @@ namespace arbiter::scene {
 [[nodiscard]] Image makeNormals(const Image &heights, float strength);
 
 /// Makes six faces in GL's order: +x, -x, +y, -y, +z, -z.
-[[nodiscard]] std::vector<Image> makeNormalise(int side);
+[[nodiscard]] std::vector<Image> makeNormalize(int side);
 [[nodiscard]] std::vector<Image> makeSky(const TextureSource &source, int side);
 
 } // namespace arbiter::scene

@@ -89,7 +89,7 @@ Image makeBricks(const TextureSource &source, int width, int height) {
   const float rows = std::floor(float(source.argument("rows")));
   const float columns = std::floor(float(source.argument("columns")));
   const auto mortar = float(source.argument("mortar"));
-  const bool heights = source.argument("grey") > 0;
+  const bool heights = source.argument("gray") > 0;
   return paint(width, height, [&](glm::vec2 at) {
     glm::vec2 place(at.x * columns, at.y * rows);
     const float row = std::floor(place.y);

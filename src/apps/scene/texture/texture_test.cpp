@@ -36,7 +36,7 @@ TEST(Texture, AnArgumentMatters) {
        {"constant r 0.5",    "checker cells 4",  "checker dark 0",    "clouds scale 8",
         "clouds octaves 1",  "clouds seed 2",    "gradient low 0.5",  "gradient steps 3",
         "gradient power 2",  "spot radius 0.2",  "spot soft 0",       "spot ambient 0.5",
-        "bricks rows 3",     "bricks columns 2", "bricks mortar 0.3", "bricks grey 1",
+        "bricks rows 3",     "bricks columns 2", "bricks mortar 0.3", "bricks gray 1",
         "bumps count 2",     "bumps radius 0.2", "cells density 0.6", "cells seed 4",
         "hairs density 0.1", "hairs seed 3",     "twirl radius 0.2",  "twirl turn 1",
         "ripple rings 2",    "ripple depth 0.1"}) {
@@ -90,7 +90,7 @@ TEST(Texture, TheRuleIsLifes) {
 }
 
 TEST(Texture, ACubeMapPointsWhereItIs) {
-  const std::vector<Image> faces = imagesOf("normalise 33");
+  const std::vector<Image> faces = imagesOf("normalize 33");
   ASSERT_EQ(faces.size(), 6u);
   const glm::vec3 axes[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
   for (std::size_t i = 0; i < 6; ++i)

@@ -5,6 +5,9 @@ namespace arbiter::tools {
 
 namespace {
 
+/// The last frame of an animation that can be asked for.
+constexpr int kLastFrame = 1000000;
+
 void addTextures(Verb &verb, std::vector<std::string> &textures) {
   verb.option(
           "--texture", textures,
@@ -60,12 +63,12 @@ void addDraw(CLI::App &app, DrawArguments &draw) {
   addValues("--env", draw.envs, "[vp:|fp:]N=x,y,z,w: program.env[N], likewise (repeatable)");
   addValues("--attrib", draw.attribs, "N=x,y,z,w: vertex.attrib[N] of every vertex (repeatable)");
   verb.option("--frames", draw.frames, "draw this many times; the last picture is kept")
-      .range(1, 1000000)
+      .range(1, kLastFrame)
       .showDefault();
   verb.option("--frame", draw.frame,
               "draw the frame of this number, from 0, of an animation; with feedback those "
               "before it too")
-      .range(0, 1000000)
+      .range(0, kLastFrame)
       .excludes("--frames");
   verb.option("--feedback", draw.feedback,
               "copy each frame into the texture of this unit (glCopyTexSubImage2D)")
@@ -120,7 +123,7 @@ void addDebug(CLI::App &app, DebugArguments &debug) {
   verb.option("--pass", debug.pass, "which of the document's passes, from 1")
       .range(1, 16)
       .showDefault();
-  verb.option("--frame", debug.frame, "which frame, from 0").range(0, 100000).showDefault();
+  verb.option("--frame", debug.frame, "which frame, from 0").range(0, kLastFrame).showDefault();
   addDebugComparison(verb, debug);
   verb.flag("--json", debug.json, "the whole trace as one JSON document");
   verb.option("--profile", debug.profile, kProfileHelp);

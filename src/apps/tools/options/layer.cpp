@@ -34,9 +34,9 @@ void addLayer(Verb &verb, LayerArguments &layer) {
   verb.option("--extensions-max-length", layer.extensionsMaxLength,
               "keep the oldest extensions, as many as fit into this many bytes of the string")
       .range(1, 1048576);
-  verb.option("--extension", layer.extensions,
-              "NAME=on or NAME=off: announce an extension (GL_... or GLX_...) that is there, or "
-              "hide it; may be repeated")
+  verb.option("--extensions", layer.extensions,
+              "NAME=on or NAME=off, several with commas: announce an extension (GL_... or GLX_...) "
+              "that is there, or hide it; may be repeated")
       .repeatable();
   verb.option("--stats", layer.stats,
               "write statistics as JSON at exit; %p becomes the process id");

@@ -81,7 +81,7 @@ void addCompile(CLI::App &app, CompileArguments &compile) {
       .oneOf({"tokens", "ir", "assembly", "glsl", "native", "llvm", "machine"})
       .showDefault();
   addLanguage(verb, compile.language);
-  verb.flag("--optimise,-O", compile.optimise, "ir, assembly: after the passes");
+  verb.flag("--optimize,-O", compile.optimise, "ir, assembly: after the passes");
   verb.option("--numerics", compile.numerics,
               "glsl, llvm, machine, the passes, and fx9 of combiners: for this arithmetic")
       .oneOf({"host", "legacy", "fp24", "fx9"})
@@ -103,7 +103,7 @@ void addReport(CLI::App &app, ReportArguments &report) {
       .showDefault();
   verb.option("--profile", report.profile,
               std::string(kProfileHelp) + "; by default the capture's, or as for check");
-  verb.option("--json", report.json, "write the same as JSON too; - is standard output");
+  verb.flag("--json", report.json, "print the same as one JSON document too");
   verb.option("FILE", report.operands,
               "program texts, folders of them, or the folder of one capture")
       .required();
@@ -114,7 +114,7 @@ void addReport(CLI::App &app, ReportArguments &report) {
               ". The programs do not count.\n"
               "Examples:\n"
               "  arbiter report shaders -o shaders.html\n"
-              "  arbiter report game.capture --profile nv30 -o game.html --json game.json");
+              "  arbiter report game.capture --profile nv30 -o game.html --json > game.json");
 }
 
 void addProfiles(CLI::App &app, ProfilesArguments &profiles) {

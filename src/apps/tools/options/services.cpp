@@ -74,6 +74,22 @@ void addBuilder(CLI::App &app, BuilderArguments &builder) {
       "without a display too");
   verb.option("--size", builder.size, "WxH: the window's size in the picture; 1280x800 without")
       .needs(screenshot);
+  verb.flag("--small", builder.small, "a picture of few colours, for a page").needs(screenshot);
+  verb.option("--edit", builder.edit,
+              "FROM=>TO: for a picture: replace a piece of the text when it is drawn")
+      .needs(screenshot);
+  verb.option("--attach", builder.attach, "PID: for a picture: the process to attach to")
+      .needs(screenshot);
+  const Option pixel =
+      verb.option("--pixel", builder.pixel, "X,Y: for a picture: the pixel to debug")
+          .needs(screenshot);
+  verb.option("--watch", builder.watch,
+              "LINE: for a picture: the line whose register is shown as A")
+      .needs(pixel);
+  verb.option("--panel", builder.panel,
+              "NAME: the panel to bring to the front; arbiter-builder(1) lists them");
+  verb.option("--colors", builder.colors, "the window's colours")
+      .oneOf({"system", "light", "dark"});
   verb.footer(
       "The window is the program arbiter-builder, which needs Qt 6; docs/write/builder_window.md "
       "says what it has.\n"

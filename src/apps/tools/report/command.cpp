@@ -29,17 +29,15 @@ bool write(const std::string &name, const std::string &text) {
 } // namespace
 
 int report(const ReportArguments &arguments) {
-  if (!arguments.json.empty() && isSameFile(arguments.output, arguments.json)) {
-    complain("the page and the JSON cannot both go to " +
-             (arguments.output == "-" ? "standard output" : arguments.output));
+  if (arguments.json && arguments.output == "-") {
+    complain("the page and the JSON cannot both go to standard output");
     return kExitUsage;
   }
   for (const std::string &operand : arguments.operands)
-    for (const std::string &written : {arguments.output, arguments.json})
-      if (written != "-" && isSameFile(written, operand)) {
-        complain(written + ": is one of the programs");
-        return kExitUsage;
-      }
+    if (arguments.output != "-" && isSameFile(arguments.output, operand)) {
+      complain(arguments.output + ": is one of the programs");
+      return kExitUsage;
+    }
   const auto profile = fp::hw::loadProfile(profileName(arguments));
   if (!profile) {
     complain(profile.error().message);
@@ -51,8 +49,8 @@ int report(const ReportArguments &arguments) {
   if (set.programs.empty())
     return kExitUsage;
   bool good = write(arguments.output, reportPage(set));
-  if (!arguments.json.empty())
-    good = write(arguments.json, reportJson(set)) && good;
+  if (arguments.json)
+    good = write("-", reportJson(set)) && good;
   if (good)
     complain("programs: " + std::to_string(set.programs.size()) +
              ", fit: " + std::to_string(set.count(Verdict::Fits)) +

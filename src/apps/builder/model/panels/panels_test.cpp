@@ -15,7 +15,7 @@ const QString kText = QString::fromUtf8("!!ARBfp1.0\n"
                                         "# gr\xc3\xb6\xc3\x9f"
                                         "er\n"
                                         "#@ local[0].x \"amount\" = 0.5 in 0..2 animate sine 5s\n"
-                                        "#@ local[1] \"tint\" = 1 0.5 0.25 1 colour\n"
+                                        "#@ local[1] \"tint\" = 1 0.5 0.25 1 color\n"
                                         "#@ texture 0 = checker 64 64 cells 4, nearest, edge\n"
                                         "MOV result.color, program.local[0];\nEND\n");
 
@@ -59,7 +59,7 @@ TEST(Parameters, AColorIsOneStep) {
   document.open(kText);
   Parameters parameters(document);
   parameters.set(1, {0.125, 1, 0.75});
-  EXPECT_TRUE(document.text().contains(QStringLiteral("= 0.125 1 0.75 1 colour")));
+  EXPECT_TRUE(document.text().contains(QStringLiteral("= 0.125 1 0.75 1 color")));
   document.undo();
   EXPECT_EQ(document.text(), kText);
 }

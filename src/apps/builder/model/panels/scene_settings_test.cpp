@@ -109,7 +109,7 @@ TEST(SceneSettings, ATurnOfTheCameraIsWrittenInDegrees) {
 TEST(Parameters, RangeAndAnimationAreEditsOfOneLine) {
   const QString before = QStringLiteral("!!ARBfp1.0\n"
                                         "#@ local[0].x \"a\" = 0.5 in 0..2 animate sine 5s\n"
-                                        "#@ local[1] = 1 2 3 colour\nEND\n");
+                                        "#@ local[1] = 1 2 3 color\nEND\n");
   Document document;
   document.open(before);
   Parameters parameters(document);
@@ -127,7 +127,7 @@ TEST(Parameters, RangeAndAnimationAreEditsOfOneLine) {
   EXPECT_TRUE(document.text().contains(QStringLiteral("\"a\" = 0.5 in 0..2\n")));
   parameters.setRange(1, 0, 4);
   parameters.setMotion(1, QStringLiteral("turn"), 3);
-  EXPECT_TRUE(document.text().contains(QStringLiteral("= 1 2 3 colour in 0..4 animate turn 3s\n")));
+  EXPECT_TRUE(document.text().contains(QStringLiteral("= 1 2 3 color in 0..4 animate turn 3s\n")));
   EXPECT_TRUE(parameters.motionsOf(1).contains(QStringLiteral("turn")));
   EXPECT_FALSE(parameters.motionsOf(0).contains(QStringLiteral("turn")));
   parameters.setRange(9, 0, 1);

@@ -16,7 +16,7 @@ bool standsAlone(scene::Generator generator) {
   switch (generator) {
   case scene::Generator::File:
   case scene::Generator::Normals:
-  case scene::Generator::Normalise:
+  case scene::Generator::Normalize:
   case scene::Generator::Sky:
   case scene::Generator::Cube:
   case scene::Generator::Feedback:

@@ -265,9 +265,9 @@ void ScenePanel::addState(QFormLayout *form) {
             depthValue(m_settings.depth.isEmpty() ? QStringLiteral("less") : m_settings.depth, on));
       })});
   writes->add({check(
-      tr("colours are written"), "scene-colour", [this] { return m_settings.colorWrite; },
+      tr("colours are written"), "scene-color", [this] { return m_settings.colorWrite; },
       [this](bool on) {
-        write(QStringLiteral("colour"), on ? QStringLiteral("on") : QStringLiteral("off"));
+        write(QStringLiteral("color"), on ? QStringLiteral("on") : QStringLiteral("off"));
       })});
   writes->add({check(
       tr("draws over the last pass"), "scene-keep", [this] { return m_settings.keep; },

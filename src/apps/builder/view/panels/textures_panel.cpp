@@ -118,7 +118,7 @@ void TexturesPanel::fillMenu(QMenu *menu) {
   for (const GeneratorWord &word : generators())
     add(word.word + QStringLiteral(" - ") + word.meaning,
         [word] { return word.word + QStringLiteral(" 256 256"); });
-  for (const char *cube : {"sky 128", "normalise 64"}) {
+  for (const char *cube : {"sky 128", "normalize 64"}) {
     QString source = QString::fromLatin1(cube);
     add(tr("%1 - a cube map").arg(source.section(u' ', 0, 0)), [source] { return source; });
   }
