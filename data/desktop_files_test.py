@@ -6,6 +6,7 @@ usage: desktop_files_test.py ARBITER METAINFO DOCUMENT [unittest arguments]
 import configparser
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -27,7 +28,17 @@ FIRST_LINES = {
     '!!VP1.1': 'text/x-nv-vertex-program',
     '!!VP2.0': 'text/x-nv-vertex-program',
     '!!VSP1.0': 'text/x-nv-vertex-program',
+    '!!RC1.0': 'text/x-nv-register-combiners',
+    '!!TS1.0': 'text/x-nv-texture-shaders',
     '#version 120': 'text/plain',
+}
+# The endings that captures, the compiler and the editors use, each for one type.
+ENDINGS = {
+    '.atifs': ('!!ATIfs1.0', 'text/x-ati-fragment-shader'),
+    '.nvrc': ('!!RC1.0', 'text/x-nv-register-combiners'),
+    '.nvts': ('!!TS1.0', 'text/x-nv-texture-shaders'),
+    '.vsp': ('!!VSP1.0', 'text/x-nv-vertex-program'),
+    '.vfp': ('!!ARBvp1.0', 'text/x-arb-program-pair'),
 }
 
 
@@ -45,6 +56,12 @@ def entries(path, section):
 
 def types_of(words):
     return {word for word in words.split(';') if word}
+
+
+def content_type(path, environment):
+    run = subprocess.run(['gio', 'info', '-a', 'standard::content-type', path], env=environment,
+                         capture_output=True, text=True)
+    return (re.search('standard::content-type: (.*)', run.stdout) or ['', run.stderr])[1]
 
 
 class DesktopFiles(unittest.TestCase):
@@ -68,7 +85,8 @@ class DesktopFiles(unittest.TestCase):
         self.assertEqual({row.text for row in ElementTree.parse(METAINFO).iter('mediatype')}, declared)
         thumbnails = types_of(entries(HERE / 'arbiter.thumbnailer', 'Thumbnailer Entry')['MimeType'])
         self.assertLess(thumbnails, declared)
-        self.assertEqual({kind for kind in FIRST_LINES.values() if kind != 'text/plain'}, declared)
+        self.assertEqual({kind for kind in FIRST_LINES.values() if kind != 'text/plain'} |
+                         {kind for _, kind in ENDINGS.values()}, declared)
 
     @needs('update-mime-database', 'gio')
     def test_a_text_is_known_by_its_first_bytes(self):
@@ -80,13 +98,16 @@ class DesktopFiles(unittest.TestCase):
             environment = dict(os.environ, XDG_DATA_HOME=folder, XDG_DATA_DIRS='/usr/share')
             for line, kind in FIRST_LINES.items():
                 for name in ('text', 'text.vp' if 'vertex' in kind else 'text.fp'):
-                    if kind == 'text/plain' and name != 'text':
+                    if name != 'text' and kind.rpartition('-')[2] not in ('program', 'shader'):
                         continue  # the ending is all that is known of it
                     text = pathlib.Path(folder) / name
                     text.write_text(f'{line}\n# a program\nEND\n')
-                    run = subprocess.run(['gio', 'info', '-a', 'standard::content-type', text], env=environment,
-                                         capture_output=True, text=True)
-                    self.assertIn(f'standard::content-type: {kind}\n', run.stdout, f'{line} in {name}')
+                    self.assertEqual(content_type(text, environment), kind, f'{line} in {name}')
+            for ending, (line, kind) in ENDINGS.items():
+                for first in (line, '# a comment'):
+                    text = pathlib.Path(folder) / f'text{ending}'
+                    text.write_text(f'{first}\n# a program\nEND\n')
+                    self.assertEqual(content_type(text, environment), kind, f'{first} in {ending}')
 
     def test_the_thumbnailer_draws(self):
         command = entries(HERE / 'arbiter.thumbnailer', 'Thumbnailer Entry')['Exec'].split()

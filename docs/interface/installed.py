@@ -46,7 +46,7 @@ FILES = (
     ('<includedir>/GL/arbiter.h', 'header', 'src/apps/tools/meson.build', "subdir: 'GL'"),
     ('arbiter.pc', 'module of pkg-config', 'src/apps/tools/meson.build', "name: 'arbiter'"),
 )
-SUFFIXES = ('fp', 'vp', 'vfp', 'arbfp', 'arbvp', 'atifs', 'nvrc', 'nvts')
+SUFFIXES = ('fp', 'vp', 'vfp', 'arbfp', 'arbvp', 'atifs', 'nvrc', 'nvts', 'vsp')
 
 
 def packages():

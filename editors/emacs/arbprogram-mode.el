@@ -151,7 +151,7 @@
 ;;;###autoload
 (progn
   (add-to-list 'auto-mode-alist
-               '("\\.\\(?:v?fp\\|vp\\|arb[fv]p\\|atifs\\|nvrc\\|nvts\\)\\'" . arbprogram-mode))
+               '("\\.\\(?:v?fp\\|vp\\|arb[fv]p\\|atifs\\|nvrc\\|nvts\\|vsp\\)\\'" . arbprogram-mode))
   (add-to-list 'magic-mode-alist
                '("!!\\(?:ARB[fv]p\\|ATIfs\\|FP\\|VS?P\\|RC\\|TS\\)[12]\\.[01]" . arbprogram-mode)))
 

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 /// A text with such a name and without a header has lost its header. The first names are also used
 /// for GLSL and Cg.
 constexpr std::string_view kShared[] = {".fp", ".vp", ".vfp"};
-constexpr std::string_view kOwn[] = {".atifs", ".arbfp", ".arbvp", ".nvrc", ".nvts"};
+constexpr std::string_view kOwn[] = {".atifs", ".arbfp", ".arbvp", ".nvrc", ".nvts", ".vsp"};
 
 /// A header is searched for only in this many bytes, which may begin with comments.
 constexpr std::size_t kMaxHead = 64u << 10;
