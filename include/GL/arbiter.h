@@ -19,8 +19,8 @@
 #ifndef GL_ARBITER_H
 #define GL_ARBITER_H
 
-#define ARBITER_VERSION_MAJOR 0
-#define ARBITER_VERSION_MINOR 1
+#define ARBITER_VERSION_MAJOR 1
+#define ARBITER_VERSION_MINOR 0
 #define ARBITER_VERSION_PATCH 0
 
 /* major * 10000 + minor * 100 + patch */
