@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # The packages of out/packages as a user of a bare Debian has them: lintian, installed in a clean
 # chroot, used, purged, and nothing of them left. Runs as root.
-# usage: scripts/check_packages.sh [FOLDER [RELEASE]]     the packages, out/packages without; the release of Debian
+# usage: scripts/check_packages.sh [FOLDER [RELEASE]]     FOLDER has the packages, or else out/packages;
+#                                                         they are used in that release of Debian, or else bookworm
 set -euo pipefail
 
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)

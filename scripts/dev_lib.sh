@@ -234,6 +234,13 @@ start_display() {
   rm -f "$file"
 }
 
+# Prints the name of the release of Debian whose packages this system takes: its own. In another distribution that is
+# Debian 12's, which the project is written on.
+debian_release() {
+  # shellcheck source=/dev/null
+  (source /etc/os-release && if [[ $ID == debian ]]; then echo "${VERSION_CODENAME:-sid}"; else echo bookworm; fi)
+}
+
 # A Debian of its own, of a tar file, with a /proc of its own. Whoever calls this has a namespace of mounts, with which
 # all mounts go. usage: fresh_chroot TAR FOLDER
 fresh_chroot() {

@@ -19,10 +19,11 @@ native=$(dpkg --print-architecture)
 architecture=${1:-$native}
 [[ $# -le 1 && ($architecture == "$native" || "$native $architecture" == "amd64 i386") ]] ||
   fail "package: ${*: -1}: there is $native here$([[ $native != amd64 ]] || echo ", and i386")"
-# Packages of a later Debian are newer than those of the one that the changelog is written for, so that both that are
-# installed when a system goes to the next release are replaced.
+# The changelog's version is that of the packages of Debian 12. Those of another release have a later one, so that they
+# replace these when a system is upgraded.
+suffix=
 # shellcheck source=/dev/null
-suffix=$(source /etc/os-release; [[ ${VERSION_CODENAME:-} == bookworm ]] || echo "+$ID${VERSION_ID:-}")
+if [[ $(debian_release) != bookworm ]]; then suffix=+debian$(source /etc/os-release && echo "${VERSION_ID:-}"); fi
 version=$(dpkg-parsechangelog -l "$root/debian/changelog" -S Version)$suffix
 work=${ARBITER_PACKAGE_BUILD:-$root/build-package}/$architecture
 source=$work/arbiter-$version

@@ -9,7 +9,7 @@ root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
 source "$root/scripts/dev_lib.sh"
 architecture=$1
 work=$(readlink -f "$2")
-suite=bookworm
+suite=$(debian_release)
 base=$(dirname "$work")/build-$architecture.tar
 cache=$(dirname "$work")/ccache-$architecture
 chroot=$work/chroot

@@ -75,7 +75,7 @@ class Tidy:
             if state:
                 (self.kept / state).touch()
             return True, ""
-        return True, done.stdout or done.stderr
+        return True, done.stdout or done.stderr or f"{source}: clang-tidy ended with status {done.returncode}"
 
 
 def run(build, kept, root):
@@ -119,6 +119,12 @@ def self_test():
         looked_at((1, 1), "what failed is not looked at again")
         (root / ".clang-tidy").write_text("Checks: '-*,bugprone-infinite-loop'\n")
         looked_at((0, 2), "other rules do not look again")
+        silent = root / "bin" / "clang-tidy"
+        silent.parent.mkdir()
+        silent.write_text('#!/bin/sh\n[ "$1" = --version ]\n')
+        silent.chmod(0o755)
+        os.environ["PATH"] = f"{silent.parent}:{os.environ['PATH']}"
+        looked_at((2, 2), "one that ends without a word has passed")
 
 
 if __name__ == "__main__":

@@ -17,6 +17,10 @@ public:
     return m_areDoubles ? read(static_cast<const GLdouble *>(m_values))
                         : read(static_cast<const GLfloat *>(m_values));
   }
+  /// Returns the values of a command that is in order, and zeros of one that is an error.
+  [[nodiscard]] std::array<GLfloat, 4> readIf(bool isValid) const {
+    return isValid ? read() : std::array<GLfloat, 4>{};
+  }
   /// Calls the host's command for values of their type, unread.
   template <typename Floats, typename Doubles, typename... Leading>
   void pass(Floats *floats, Doubles *doubles, Leading... leading) const {

@@ -59,6 +59,13 @@ class Rows(unittest.TestCase):
         self.assertEqual(self.run_row(ways=ways), (0, "3 passed, 0 failed, 0 skipped"))
         self.assertEqual(self.run_row(ways=ways, planted={"layer": OTHER}), (1, "0 passed, 3 failed, 0 skipped"))
 
+    def test_a_death_of_the_hosts_own_is_skipped(self):
+        both, other = {"bare": "status -11", "layer": "status -11"}, {"bare": "status -6", "layer": "status -11"}
+        for backend, planted, counts in (("host", both, (0, 0, 1)), ("swrast", both, (0, 1, 0)),
+                                         ("host", other, (0, 1, 0)), ("host", {"layer": "status -11"}, (0, 1, 0))):
+            ways = (Way("way", backend, is_alone=True),)
+            self.assertEqual(self.run_row(planted=planted, ways=ways)[1], "%d passed, %d failed, %d skipped" % counts)
+
     def test_what_the_host_lacks_is_skipped(self):
         self.assertEqual(self.run_row(planted={"bare": "status 77: "}), (0, "0 passed, 0 failed, 1 skipped"))
 

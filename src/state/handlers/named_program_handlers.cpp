@@ -86,7 +86,7 @@ void NamedProgramLocalParameter4fEXT(Context &context, GLuint program, GLenum ta
   if (!row)
     return values.pass(context.host->NamedProgramLocalParameter4fvEXT,
                        context.host->NamedProgramLocalParameter4dvEXT, program, target, index);
-  set(context, *row, program, index, index < row->limits.localParameters ? values.read() : Vec4{});
+  set(context, *row, program, index, values.readIf(index < row->limits.localParameters));
 }
 
 void NamedProgramLocalParameters4fvEXT(Context &context, GLuint program, GLenum target,

@@ -81,7 +81,7 @@ void ProgramParameter4fNV(Context &context, GLenum target, GLuint index, GLfloat
 void ProgramParameter4fNV(Context &context, GLenum target, GLuint index,
                           host::ParameterValues values) {
   const bool isValid = target == GL_VERTEX_PROGRAM_NV && index < NvState::kParameters;
-  setParameters(context, target, index, isValid ? values.read() : Vec4{});
+  setParameters(context, target, index, values.readIf(isValid));
 }
 
 void ProgramParameters4fvNV(Context &context, GLenum target, GLuint index, GLsizei count,

@@ -87,9 +87,6 @@ std::optional<Vec4> readLocal(Context &context, const ProgramTarget &row, GLuint
   return object.locals[index].load();
 }
 
-/// Returns the values if they may be read, and zeros for a command that is an error.
-Vec4 readIf(bool isValid, host::ParameterValues values) { return isValid ? values.read() : Vec4{}; }
-
 template <typename T> void copyOut(const std::optional<Vec4> &value, T *params) {
   if (value && params)
     std::copy(value->begin(), value->end(), params);
@@ -120,7 +117,7 @@ void ProgramEnvParameter4fARB(Context &context, GLenum target, GLuint index,
   if (!row)
     return values.pass(context.host->ProgramEnvParameter4fvARB,
                        context.host->ProgramEnvParameter4dvARB, target, index);
-  env(context, *row, index, readIf(index < row->env.size(), values));
+  env(context, *row, index, values.readIf(index < row->env.size()));
 }
 
 void ProgramEnvParameters4fvEXT(Context &context, GLenum target, GLuint index, GLsizei count,
@@ -146,7 +143,7 @@ void ProgramLocalParameter4fARB(Context &context, GLenum target, GLuint index,
   if (!row)
     return values.pass(context.host->ProgramLocalParameter4fvARB,
                        context.host->ProgramLocalParameter4dvARB, target, index);
-  local(context, *row, index, readIf(index < row->limits.localParameters, values));
+  local(context, *row, index, values.readIf(index < row->limits.localParameters));
 }
 
 void ProgramLocalParameters4fvEXT(Context &context, GLenum target, GLuint index, GLsizei count,

@@ -21,7 +21,7 @@ class Coin(Program):
         return [Case("coin", [str(client)], recorded=True, least_programs=2,
                      ways_left_out=(*DRAWN, "programs")),
                 Case("coin-softpipe", [str(client)], environment=SOFTPIPE, recorded=True, least_programs=2,
-                     wrong_pixels=500)]
+                     wrong_pixels=400)]
 
 
 PROGRAM = Coin("coin", ("libcoin-dev", "libx11-dev", "g++", "apitrace", "xvfb", "libgl1-mesa-dri"),
