@@ -122,7 +122,7 @@ def fault(trace, rounded):
 def is_another_picture(trace):
     verdict = trace['verdict']
     value, mask = colour_of(trace)
-    return (not trace['discarded'] and verdict['bits_equal'] and mask == 'xyzw' and
+    return (not trace['discarded'] and not verdict['hidden'] and verdict['bits_equal'] and mask == 'xyzw' and
             not is_pictured(value, verdict['picture']))
 
 

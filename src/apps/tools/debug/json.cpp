@@ -137,6 +137,7 @@ Json verdictJson(const Verdict &verdict, const Trace &trace) {
                {"picture", hexColor(verdict.picture)},
                {"interpreter", hexColor(verdict.interpreter)},
                {"drawn", verdict.drawn ? vectorJson(*verdict.drawn) : Json()},
+               {"hidden", verdict.isHidden},
                {"steps", verdict.steps},
                {"line", verdictLine(verdict, trace)}};
   if (verdict.first)

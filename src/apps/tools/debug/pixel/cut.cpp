@@ -24,6 +24,8 @@ Program shell(const Program &program, std::size_t targets) {
   return bare;
 }
 
+bool isDepth(const fp::ir::Output &output) { return output.kind == fp::ir::OutputKind::Depth; }
+
 fp::ir::Destination colorTarget(std::size_t index) {
   fp::ir::Destination dst;
   dst.file = File::Output;
@@ -149,9 +151,32 @@ bool decidesFragments(const Program &program) {
                      [](const Instruction &instruction) {
                        return fp::ir::info(instruction.op).has(fp::ir::Kills);
                      }) ||
-         std::any_of(
-             program.outputs.begin(), program.outputs.end(),
-             [](const fp::ir::Output &output) { return output.kind == fp::ir::OutputKind::Depth; });
+         writesDepth(program);
+}
+
+bool writesDepth(const Program &program) {
+  return std::any_of(program.outputs.begin(), program.outputs.end(), isDepth);
+}
+
+Program withoutDepth(const Program &program) {
+  Program cut = program;
+  std::erase_if(cut.outputs, isDepth);
+  const auto unread = std::uint16_t(cut.temporaries.size());
+  cut.temporaries.push_back({"depth"});
+  for (Instruction &instruction : cut.code) {
+    fp::ir::Destination &dst = instruction.dst;
+    if (fp::ir::info(instruction.op).has(fp::ir::Kills) || dst.file != File::Output)
+      continue;
+    const fp::ir::Output output = program.outputs[dst.index];
+    if (isDepth(output)) {
+      dst.file = File::Temporary;
+      dst.index = unread;
+    } else {
+      dst.index = std::uint16_t(std::find(cut.outputs.begin(), cut.outputs.end(), output) -
+                                cut.outputs.begin());
+    }
+  }
+  return cut;
 }
 
 Program cutProgram(const Program &program, const std::vector<Probe> &probes, Fragments fragments) {

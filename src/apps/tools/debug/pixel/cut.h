@@ -22,6 +22,13 @@ enum class Fragments {
 /// True if the program decides which fragments are visible, by KIL or by its own depths.
 [[nodiscard]] bool decidesFragments(const fp::ir::Program &program);
 
+/// True if the program writes result.depth.
+[[nodiscard]] bool writesDepth(const fp::ir::Program &program);
+
+/// Returns the program with all its results but result.depth, so that its fragments are at the
+/// rasterized depth. Requires: a fragment program.
+[[nodiscard]] fp::ir::Program withoutDepth(const fp::ir::Program &program);
+
 /// A value inside a program.
 struct Probe {
   enum class Kind {

@@ -149,6 +149,58 @@ TEST(Verdict, ADiscardThatOnlyOneSideMakesDiffers) {
               HasSubstr("discarded the fragment, the interpreter does not, first at line 5"));
 }
 
+constexpr const char *kDepthText = "!!ARBfp1.0\n"
+                                   "TEMP far;\n"
+                                   "MOV far, 1.0;\n"
+                                   "MOV result.depth.z, far;\n"
+                                   "KIL fragment.color;\n"
+                                   "MUL result.color, fragment.color, {0.5, 1, 1, 1};\n"
+                                   "END\n";
+
+TEST(Verdict, AFragmentThatItsDepthHidesIsNotDiscarded) {
+  FakeDrawer drawer(kDepthText, 16, 8);
+  const Debugged pixel(drawer, kDepthText, 5, 2);
+  ASSERT_FALSE(pixel.error);
+  EXPECT_THAT(fp::ir::validate(withoutDepth(pixel.program)), IsEmpty());
+  drawer.limit = 1;
+  const auto verdict = judge(drawer, pixel.program, pixel.trace, 5, 2);
+  ASSERT_TRUE(verdict) << verdict.error().message;
+  EXPECT_TRUE(verdict.value().isHidden);
+  EXPECT_TRUE(verdict.value().isEqual());
+  EXPECT_TRUE(verdict.value().bitsEqual);
+  EXPECT_THAT(verdictLine(verdict.value(), pixel.trace), HasSubstr("): equal, to the bit"));
+  EXPECT_THAT(verdictLine(verdict.value(), pixel.trace),
+              HasSubstr(" (the depth test hides the fragment "));
+}
+
+TEST(Verdict, AHiddenFragmentOfAnotherColorDiffers) {
+  FakeDrawer drawer(kDepthText, 16, 8);
+  const Debugged pixel(drawer, kDepthText, 5, 2);
+  drawer.limit = 1;
+  drawer.wrong = [](const fp::ir::Instruction &instruction, Vec4 &value) {
+    if (instruction.op == fp::ir::Opcode::Mul)
+      value[0] += 0.125f;
+  };
+  const auto verdict = judge(drawer, pixel.program, pixel.trace, 5, 2);
+  ASSERT_TRUE(verdict) << verdict.error().message;
+  EXPECT_TRUE(verdict.value().isHidden);
+  EXPECT_FALSE(verdict.value().isEqual());
+  ASSERT_TRUE(verdict.value().first);
+  EXPECT_EQ(pixel.trace.rows[verdict.value().first->row].op, fp::ir::Opcode::Mul);
+}
+
+TEST(Verdict, ADiscardBeforeADepthIsADiscard) {
+  FakeDrawer drawer(kDepthText, 16, 8);
+  const Debugged pixel(drawer, kDepthText, 5, 2);
+  drawer.covers = [](int, int) { return false; };
+  const auto verdict = judge(drawer, pixel.program, pixel.trace, 5, 2);
+  ASSERT_TRUE(verdict) << verdict.error().message;
+  EXPECT_FALSE(verdict.value().isHidden);
+  EXPECT_FALSE(verdict.value().isEqual());
+  EXPECT_THAT(verdictLine(verdict.value(), pixel.trace),
+              HasSubstr("discarded the fragment, the interpreter does not"));
+}
+
 TEST(Verdict, LongProgramsAreHalved) {
   std::string text = "!!ARBfp1.0\nTEMP a;\nMOV a, fragment.color;\n";
   for (int i = 0; i < 300; ++i)

@@ -111,10 +111,13 @@ private:
   const Tolerance m_tolerance;
 };
 
-/// Returns the picture's pixel, and also the fragment's color if blending or a later draw changed
-/// it. A difference of one step is ignored, because hosts may round either way.
+/// Returns the picture's pixel, and also the fragment's color if the depth test hides it, or if
+/// blending or a later draw changed it. A difference of one step is ignored, because hosts may
+/// round either way.
 std::string drawnText(const Verdict &verdict) {
   std::string picture = hexColor(verdict.picture);
+  if (verdict.isHidden)
+    return picture + " (the depth test hides the fragment " + colorText(*verdict.drawn) + ")";
   for (std::size_t c = 0; c < 4; ++c)
     if (std::abs(int(verdict.picture[c]) - int(byteOf((*verdict.drawn)[c]))) > 1)
       return picture + " (the fragment " + colorText(*verdict.drawn) + ")";
@@ -142,7 +145,8 @@ Result<std::vector<Vec4>, DebugError> drawPixel(Drawer &drawer, const std::strin
 }
 
 /// Returns a verdict with the interpreter's color, the drawn fragment and the picture.
-Result<Verdict, DebugError> compareColors(Drawer &drawer, const Trace &trace, int x, int y) {
+Result<Verdict, DebugError> compareColors(Drawer &drawer, const Program &program,
+                                          const Trace &trace, int x, int y) {
   Verdict verdict;
   verdict.drawer = drawer.name();
   verdict.isDiscarded = trace.isDiscarded.first;
@@ -157,6 +161,15 @@ Result<Verdict, DebugError> compareColors(Drawer &drawer, const Trace &trace, in
     return fragment.error();
   if (fragment.value()[0] != uncovered())
     verdict.drawn = fragment.value()[0];
+  else if (writesDepth(program)) {
+    // What the depth test hides, and what is discarded, differ only without the program's depth.
+    const auto kept = drawPixel(drawer, fp::emitAssembly(withoutDepth(program)), 1, x, y);
+    if (!kept)
+      return kept.error();
+    verdict.isHidden = kept.value()[0] != uncovered();
+    if (verdict.isHidden)
+      verdict.drawn = kept.value()[0];
+  }
   const Named *const color = colorOf(trace);
   if (!color || !verdict.drawn || verdict.isDiscarded)
     return verdict;
@@ -181,11 +194,12 @@ Result<std::vector<Vec4>, DebugError> drawRows(Drawer &drawer, const Program &pr
 
 Result<Verdict, DebugError> judge(Drawer &drawer, const Program &program, const Trace &trace, int x,
                                   int y, const Tolerance &tolerance) {
-  auto verdict = compareColors(drawer, trace, x, y);
+  auto verdict = compareColors(drawer, program, trace, x, y);
   // An ATI shader cannot be cut, because assembly cannot express it.
   if (!verdict || verdict.value().isEqual() || program.language != fp::ir::Language::ArbFragment)
     return verdict;
-  const bool survives = decidesFragments(program) && verdict.value().drawn;
+  const bool survives =
+      decidesFragments(program) && verdict.value().drawn && !verdict.value().isHidden;
   Search search(drawer, program, trace, x, y, survives ? Fragments::Surviving : Fragments::Covered,
                 tolerance);
   verdict.value().bisected = trace.rows.size() > kMaxRowsDrawn;

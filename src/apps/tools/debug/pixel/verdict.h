@@ -13,9 +13,12 @@ struct Verdict {
   std::array<std::uint8_t, 4> picture = {};     ///< the pixel in the document's picture
   std::array<std::uint8_t, 4> interpreter = {}; ///< the fragment's color in 8 bits
   std::optional<Vec4> drawn; ///< the fragment's color in a float target; empty: discarded
-  bool isDiscarded = false;  ///< true if the interpreter discards the fragment
-  int steps = 0;             ///< greatest difference of 8-bit values
-  bool bitsEqual = false;    ///< true if the float colors are equal, with NaNs equal
+  /// True if the depth test hides the fragment where the program puts it; `drawn` is then its color
+  /// at the rasterized depth.
+  bool isHidden = false;
+  bool isDiscarded = false; ///< true if the interpreter discards the fragment
+  int steps = 0;            ///< greatest difference of 8-bit values
+  bool bitsEqual = false;   ///< true if the float colors are equal, with NaNs equal
   /// The first instruction whose value differs by more than rounding; value.first is the
   /// interpreter's.
   std::optional<Difference> first;

@@ -21,6 +21,15 @@ fp::ir::Vec4 plainParameter(const fp::ir::Parameter &parameter) {
   return {float(parameter.index), 0.5f, -1.0f, 2.0f};
 }
 
+/// Returns whether the fragment is nearer than \p limit, by its own depth if it writes one.
+bool isNear(const fp::ir::Program &program, const fp::ir::Evaluation &end, float limit) {
+  float depth = 0.5f;
+  for (std::size_t o = 0; o < program.outputs.size(); ++o)
+    if (program.outputs[o].kind == fp::ir::OutputKind::Depth)
+      depth = end.outputs[o][2];
+  return depth < limit;
+}
+
 } // namespace
 
 fp::ir::Program checked(const std::string &text) { return *check(text).program; }
@@ -68,7 +77,8 @@ Result<std::vector<Drawer::Vec4>, DebugError> FakeDrawer::draw(const std::string
       inputs.texture = texelAt;
       inputs.result = wrong;
       const fp::ir::Evaluation end = fp::ir::evaluate(program, inputs);
-      for (std::size_t o = 0; o < program.outputs.size() && !end.killed; ++o)
+      const bool discarded = end.killed || !isNear(program, end, limit);
+      for (std::size_t o = 0; o < program.outputs.size() && !discarded; ++o)
         if (program.outputs[o].kind == fp::ir::OutputKind::Color)
           values[program.outputs[o].index * std::size_t(region.width * region.height) + next] =
               end.outputs[o];

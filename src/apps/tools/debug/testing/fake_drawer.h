@@ -35,7 +35,8 @@ public:
   /// Changes results, to act as a faulty host.
   std::function<void(const fp::ir::Instruction &, Vec4 &)> wrong;
   std::function<bool(int x, int y)> covers;
-  int drawn = 0; ///< number of draws so far
+  float limit = 2; ///< a depth test discards fragments that are not nearer
+  int drawn = 0;   ///< number of draws so far
 
 private:
   std::string m_text;
