@@ -5,6 +5,8 @@ usage: release.py [SUITE...]     those that have no result of this commit yet, o
        --list                    the suites, with what is known of each
        --again                   also those that have a result
        --sitting MINUTES         begins no suite that would end later than that from now
+       --published FILE         results of this commit that docs/results/collect.py wrote of other machines: their
+                                suites are not run again
        --engine NAME ...         --shards, --hosts and --engine-option too, for the suites that take them
 
 A result is out/release/COMMIT/SUITE.json, written when its suite has ended, with SUITE.log beside it. A run that is
@@ -112,17 +114,18 @@ def machine_of(root):
 class Release:
     """The results of one commit, and the suites that make them."""
 
-    def __init__(self, root, suites, commit, out):
+    def __init__(self, root, suites, commit, out, published=()):
         self.root, self.suites, self.commit = root, suites, commit
+        self.published = {row["suite"]: row for row in published if row["commit"] == commit}
         self.folder = out / commit
         self.folder.mkdir(parents=True, exist_ok=True)
 
     def result(self, suite):
-        """Returns the suite's result, None if it has none."""
+        """Returns the suite's result, here or published, None if it has none."""
         try:
             return json.loads((self.folder / f"{suite['name']}.json").read_text())
         except (OSError, json.JSONDecodeError):
-            return None
+            return self.published.get(suite["name"])
 
     def minutes(self, suite):
         """Returns how long the suite takes: by the last run that passed, on any commit, else by the table."""
@@ -250,6 +253,7 @@ def arguments(words):
     parser.add_argument("--sitting", type=float, metavar="MINUTES", help="begin nothing that would end later")
     parser.add_argument("--suites", type=pathlib.Path, default=SUITES, help=argparse.SUPPRESS)
     parser.add_argument("--root", type=pathlib.Path, default=ROOT, help=argparse.SUPPRESS)
+    parser.add_argument("--published", type=pathlib.Path, metavar="FILE", help="results of this commit by others")
     for name in ("engine", "shards", "hosts", "engine-option"):
         parser.add_argument(f"--{name}", action="append", default=[], help="of suites that run as shards")
     return parser.parse_args(words)
@@ -265,7 +269,8 @@ def main():
     unknown = set(args.names) - {suite["name"] for suite in suites}
     if unknown:
         sys.exit(f"release: no suite {', '.join(sorted(unknown))}; --list names them")
-    release = Release(args.root, suites, commit_of(args.root), args.root / "out" / "release")
+    published = json.loads(args.published.read_text())["results"] if args.published else ()
+    release = Release(args.root, suites, commit_of(args.root), args.root / "out" / "release", published)
     if args.list:
         return release.table()
     lock = only_one(args.root / "out" / "release")

@@ -4,6 +4,7 @@
 usage: collect.py [FOLDER...]      each is out/release/COMMIT, of one machine; without any no suite has run
        --suites FILE               the planned suites, by default scripts/release_suites.toml
        --out FILE                  by default docs/results/results.json; the pages are written for that one alone
+       --add                       keep what --out has. A new result replaces that of its suite and driver
        --other-commits             take results of several commits; the page marks those of another than the first's
 
 A file that is cut short, does not add up, or is of another commit than the others is refused: nothing is written.
@@ -140,8 +141,10 @@ def result_of(file, row, names):
         raise Refused(f"{where}: lacks {error}") from None
 
 
-def collected(folders, suites, other_commits=False):
-    """Returns what is published of the folders' files. The commit is that of the first folder."""
+def collected(folders, suites, other_commits=False, earlier=None):
+    """Returns what is published of the folders' files, and of what was published earlier if that is given.
+
+    The commit is that of the first folder."""
     names = [suite["name"] for suite in suites]
     results, hosts, seen = [], {}, {}
     for folder in folders:
@@ -161,6 +164,12 @@ def collected(folders, suites, other_commits=False):
             machines = hosts.setdefault(result["host"], [])
             if machine not in machines:
                 machines.append(machine)
+    if earlier:
+        kept = [row for row in earlier["results"] if (row["suite"], row["host"]) not in seen and row["suite"] in names]
+        results += kept
+        for host in earlier["hosts"]:
+            known = hosts.setdefault(host["name"], [])
+            known += [machine for machine in host["machines"] if machine not in known]
     commits = {result["commit"] for result in results}
     if len(commits) > 1 and not other_commits:
         raise Refused("results of several commits: " + ", ".join(sorted(commit[:12] for commit in commits)))
@@ -177,11 +186,13 @@ def main():
     parser.add_argument("--suites", type=pathlib.Path, default=SUITES)
     parser.add_argument("--out", type=pathlib.Path, default=RESULTS)
     parser.add_argument("--other-commits", action="store_true")
+    parser.add_argument("--add", action="store_true")
     options = parser.parse_args()
     try:
+        earlier = json.loads(options.out.read_text()) if options.add else None
         published = collected([folder.resolve() for folder in options.folders], suites_of(options.suites),
-                              options.other_commits)
-    except Refused as error:
+                              options.other_commits, earlier)
+    except (Refused, OSError, ValueError) as error:
         print(f"collect.py: {error}", file=sys.stderr)
         return 1
     options.out.write_text(json.dumps(published, indent=1, ensure_ascii=False) + "\n")

@@ -178,6 +178,16 @@ class Release(unittest.TestCase):
         self.assertEqual(self.runs(), [])
         self.assertIn("left to another sitting", done.stdout)
 
+    def test_suites_that_others_have_run_are_left_out(self):
+        row = {"suite": "two", "passed": 1, "failed": 1, "skipped": 0, "seconds": 60, "status": 1,
+               "date": "2026-12-01T00:00:00Z", "commit": self.git("rev-parse", "HEAD")}
+        file = self.root / "out" / "published.json"
+        file.write_text(json.dumps({"results": [row, {**row, "suite": "three", "commit": "f" * 40}]}))
+        done = self.run_release("--published", str(file))
+        self.assertEqual(self.runs(), ["one", "three"])
+        self.assertEqual(done.returncode, 1, "what others saw fail has failed")
+        self.assertRegex(done.stdout, r"two +1 +1 +0 +1  failed")
+
     def test_engines_are_for_the_suites_that_take_them(self):
         self.suites("one 0 quick", more="engine = true")
         self.commit()

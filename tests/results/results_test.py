@@ -109,6 +109,17 @@ class Faults(Folder):
         self.assertIn("| 1 passed (commit ffffffffffff) |", text)
         self.assertIn("**1 result below, marked, is of another commit.**", text)
 
+    def test_results_are_added_to_those_of_their_commit(self):
+        first = collect.collected([written(self.folder, "a", [suite("test", [part("m", 1, 1, 0)], MACHINE),
+                                                              suite("piglit", [part("m", 5, 0, 0)], MACHINE)])], SUITES)
+        again = written(self.folder, "b", [suite("test", [part("m", 2, 0, 0)], {**MACHINE, "cores": 16})])
+        data = collect.collected([again], SUITES, earlier=first)
+        self.assertEqual({row["suite"]: row["passed"] for row in data["results"]}, {"test": 2, "piglit": 5})
+        self.assertEqual([machine["cores"] for machine in data["hosts"][0]["machines"]], [16, MACHINE["cores"]])
+        other = written(self.folder, OTHER, [suite("test", [part("m", 1, 0, 0)], MACHINE, OTHER)])
+        with self.assertRaisesRegex(collect.Refused, "several commits"):
+            collect.collected([other], SUITES, earlier=first)
+
     def test_a_file_in_the_folder_of_another_commit(self):
         folder = written(self.folder, OTHER, [suite("test", [part("m", 1, 0, 0)], MACHINE)])
         with self.assertRaisesRegex(collect.Refused, "in the folder of another"):
