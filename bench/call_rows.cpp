@@ -73,6 +73,20 @@ std::vector<double> local(int count, unsigned) {
     glProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 0, float(i & 1), 0.5f, 0.25f, 1.0f);
   });
 }
+std::vector<double> localFv(int count, unsigned) {
+  programs();
+  return average(count, [](int i) {
+    const GLfloat values[4] = {float(i & 1), 0.5f, 0.25f, 1.0f};
+    glProgramLocalParameter4fvARB(GL_FRAGMENT_PROGRAM_ARB, 0, values);
+  });
+}
+std::vector<double> localDv(int count, unsigned) {
+  programs();
+  return average(count, [](int i) {
+    const GLdouble values[4] = {double(i & 1), 0.5, 0.25, 1.0};
+    glProgramLocalParameter4dvARB(GL_FRAGMENT_PROGRAM_ARB, 0, values);
+  });
+}
 std::vector<double> env(int count, unsigned) {
   programs();
   return average(count, [](int i) {
@@ -143,6 +157,8 @@ const std::vector<Row> &callRows() {
       {"call/glBlendFunc", blendFunc},
       {"call/glActiveTexture", activeTexture},
       {"call/glProgramLocalParameter4fARB", local},
+      {"call/glProgramLocalParameter4fvARB", localFv},
+      {"call/glProgramLocalParameter4dvARB", localDv},
       {"call/glProgramEnvParameter4fARB", env},
       {"call/glBindProgramARB", bind},
       {"call/glEnable(BLEND)", enableBlend},
