@@ -8,9 +8,10 @@ from pathlib import Path
 
 SCRIPTS = Path(__file__).resolve().parent.parent.parent / "scripts"
 # Options for clients built with a sanitizer (./dev asan, ./dev tsan); others ignore them. Preloading puts the layer
-# before the sanitizer's runtime, and the host and its threads are not instrumented. The driver keeps memory for the
-# life of the process.
-SANITIZERS = {"ASAN_OPTIONS": "verify_asan_link_order=0:detect_leaks=0",
+# before the sanitizer's runtime, and the host and its threads are not instrumented. Leaks are looked for where the
+# caller's options say how: the driver keeps memory for the life of the process.
+SANITIZERS = {"ASAN_OPTIONS": ":".join(filter(None, ("verify_asan_link_order=0:detect_leaks=0",
+                                                     os.environ.get("ASAN_OPTIONS")))),
               "UBSAN_OPTIONS": "print_stacktrace=1:halt_on_error=1",
               "TSAN_OPTIONS": "ignore_noninstrumented_modules=1:halt_on_error=1"
                               f":suppressions={SCRIPTS}/tsan.supp"}

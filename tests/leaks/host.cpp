@@ -1,0 +1,12 @@
+// A library that leaks, as a host's driver may.
+#include <cstdlib>
+
+namespace {
+void *volatile g_kept; // the compiler leaves out an allocation that nothing can see
+}
+
+extern "C" [[gnu::visibility("default")]] void hostLeaks() {
+  for (int i = 0; i < 3; ++i)
+    g_kept = std::malloc(100);
+  g_kept = nullptr;
+}
