@@ -9,7 +9,8 @@
 A leak is the project's own if its code asked for the memory: of the frames of the allocation, without those of the C
 and the C++ library, the nearest is in a file of the tree. The host's driver keeps memory for the life of a process, and
 is often unloaded by the time that leaks are looked for, so that its frames have no name. leaks.toml has the leaks that
-are kept on purpose. A process that looked for leaks and has none of these is a case that passed. Leaks leave the exit
+are kept on purpose. A process that looked for leaks and has none of these is a case that passed, a stack that leaks is
+one that failed, in however many processes. Leaks leave the exit
 status of a process alone; other errors still abort it, and are cases that failed, as their text is in these files too.
 The end by a signal such as SIGSEGV is the test's to judge."""
 
@@ -144,7 +145,8 @@ def judge(folder, tree, log, table):
     """Returns the part of a suite, and the rows of the table that were needed by their places in it."""
     reports = [read(path, tree) for path in sorted(folder.iterdir()) if FILE.search(path.name)]
     part = {"name": "leaks", "passed": 0, "failed": 0, "skipped": 0, "failures": [], "skips": {}}
-    leaks, errors, used, signals = collections.defaultdict(list), collections.defaultdict(list), set(), 0
+    leaks, errors, used = collections.defaultdict(list), collections.defaultdict(list), set()
+    faulty = signals = 0
     for report in reports:
         stacks, tests = set(), tests_of(report, log)
         for size, stack in report.leaks:
@@ -164,13 +166,14 @@ def judge(folder, tree, log, table):
             continue
         elif report.error:
             errors[f"{report.program}: {summary(report.error)}"].append((report.error, tests))
-        part["failed" if stacks or report.blind or report.error else "passed"] += 1
+        faulty += bool(stacks or report.blind or report.error)
     say_leaks(leaks, part)
     for name, found in errors.items():
         said = f"{name}{during(sum((tests for _, tests in found), []))}"
         print(f"\n{said}, {len(found)} times\n{found[0][0]}")
         part["failures"].append(said)
-    print(f"\n{part['passed'] + part['failed']} processes looked for leaks, {part['failed']} failed; "
+    part["passed"], part["failed"] = len(reports) - signals - faulty, len(part["failures"])
+    print(f"\n{len(reports) - signals} processes looked for leaks, {faulty} failed; "
           f"{signals} more were ended by a signal")
     return part, used
 
