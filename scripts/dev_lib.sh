@@ -252,8 +252,9 @@ fresh_chroot() {
   mount -t proc proc "$2/proc"
 }
 
-# The parts of a suite leave their counts here; there is one folder, so that one suite runs at a time.
-results=${out:-}/test
+# The parts of a suite leave their counts here; there is one folder, so that one suite runs at a time. A verb that
+# another one runs has its own.
+results=${DEV_RESULTS:-${out:-}/test}
 
 # Returns a process's number, and when it began: other containers have the same numbers.
 process() { echo "$1 $(cut -d ' ' -f 22 "/proc/$1/stat" 2>/dev/null)"; }
