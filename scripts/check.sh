@@ -86,8 +86,8 @@ part "include graph, names in comments and docs, English" check_graph
 part "Python" check_python
 part "shell" check_shell
 part "subjects of commits" check_subjects
+part "lists of Meson" check_meson
 if [[ $build != --quick ]]; then
-  part "lists of Meson" check_meson
   part "headers by themselves" check_headers
   part "generated files" check_generated
   part "copyright" check_reuse
