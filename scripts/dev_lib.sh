@@ -179,7 +179,7 @@ plain_environment() {
   for name in $(compgen -e | grep -E '^(ARBITER_|__GLX_|__EGL_|MESA_|GALLIUM_|LIBGL_|VK_|TEST_HOST)' || true); do
     unset "$name"
   done
-  unset LD_PRELOAD
+  unset LD_PRELOAD DEV_RESULTS
   export LIBGL_ALWAYS_SOFTWARE=1
 }
 

@@ -2,7 +2,7 @@
 #include <cstdlib>
 
 namespace {
-void *volatile g_kept; // the compiler leaves out an allocation that nothing can see
+void *volatile g_kept; // so that no allocation is left out
 }
 
 extern "C" [[gnu::visibility("default")]] void hostLeaks() {
