@@ -186,7 +186,7 @@ def summary(text):
     """Returns the line of a report that says what is wrong."""
     found = re.search(r"^SUMMARY: \w+: (.*)$", text, re.M) or ERROR.search(text)
     line = found.group(1) if found and found.re is not ERROR else text.strip().split("\n")[0]
-    return line.replace(f"{ROOT}/", "").replace("../", "")[:140]
+    return re.sub(r"(?:[^/ ]+/)?\.\./", "", line.replace(f"{ROOT}/", ""))[:140]
 
 
 def say_leaks(leaks, part):
@@ -194,7 +194,8 @@ def say_leaks(leaks, part):
     for at, (stack, found) in enumerate(sorted(leaks.items(), key=lambda each: -len(each[1]))):
         programs, tests = [each[0] for each in found], sum((each[1] for each in found), [])
         own = next((frame for frame in stack if frame.source.startswith(f"{ROOT}/")), asker(stack))
-        part["failures"].append(f"{names(programs)}{during(tests)}: {own}")
+        failure = f"{names(programs)}{during(tests)}: {own}"
+        part["failures"] += [failure] if failure not in part["failures"] else []
         if at < SHOWN:
             print(f"\n{sum(each[2] for each in found)} bytes in {len(found)} leaks of {names(programs)}{during(tests)}")
             for frame in stack[:SHOWN]:

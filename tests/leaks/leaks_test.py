@@ -58,6 +58,8 @@ REPORTS = [
     (leaking(leak(MALLOC, HOST), leak(MALLOC, OWN), leak(MALLOC, INLINED, OWN)), [0, 2], "own()"),
     (ERROR.format("heap-use-after-free", "heap-use-after-free"), [0, 1], "heap-use-after-free src/a.cpp:7 in own"),
     (ERROR.format("SEGV", "SEGV"), [0, 0], ""),
+    (ERROR.format("double-free", "double-free").replace(" ../src", f" {ROOT}/build-asan/../src"), [0, 1],
+     "double-free src/a.cpp:7 in own"),
     (UNDEFINED, [0, 1], "index 4 out of bounds"),
     (BLIND, [0, 1], "could not be looked for"),
     (BLIND + STATS, [0, 1], "could not be looked for"),
@@ -102,6 +104,8 @@ class Texts(Folder):
         part, _, said = judged(self.folder)
         self.assertEqual((part["passed"], part["failed"], len(part["failures"])), (0, 1, 1))
         self.assertEqual(said.count("own() (src/a.cpp:7)"), 1, said)
+        self.report(leaking(leak(MALLOC, OWN, HOST), leak(MALLOC, INLINED, OWN)), "report.client.30")
+        self.assertEqual(len(judged(self.folder)[0]["failures"]), 1, "two ways to one place have one name")
 
     def test_the_test_is_named_that_ran_then(self):
         def test(name, start, *command):
