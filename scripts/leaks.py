@@ -2,17 +2,23 @@
 """Judges what AddressSanitizer and LeakSanitizer have said of the processes of a run, each in a file of its own.
 
   leaks.py options FOLDER               the ASAN_OPTIONS of processes whose reports go there
+  leaks.py again FOLDER TREE            the failed tests that run again, a line each; their reports go
+  leaks.py merge FIRST SECOND           the two logs of meson as the second one; 1 if a test has failed
   leaks.py judge FOLDER TREE FILE [whole]
                                         leaves the part FILE of a suite (tally.py), and says what has leaked; whole: all
                                         tests of the tree ran, so that each row of leaks.toml is needed
 
 A leak is the project's own if its code asked for the memory: of the frames of the allocation, without those of the C
-and the C++ library, the nearest is in a file of the tree. The host's driver keeps memory for the life of a process, and
-is often unloaded by the time that leaks are looked for, so that its frames have no name. leaks.toml has the leaks that
-are kept on purpose. A process that looked for leaks and has none of these is a case that passed, a stack that leaks is
-one that failed, in however many processes. Leaks leave the exit
-status of a process alone; other errors still abort it, and are cases that failed, as their text is in these files too.
-The end by a signal such as SIGSEGV is the test's to judge."""
+and the C++ library, the nearest is a function of the tree's. The host's driver keeps memory for the life of a process,
+and is often unloaded by the time that leaks are looked for, so that its frames have no name, or are taken for places of
+another file. What a library of others returns for its caller to free, such as a reply of libxcb, is the library's by
+this rule, and is not found. leaks.toml has the leaks that are kept on purpose.
+
+A process that looked for leaks and has none of these is a case that passed, a place that leaks is one that failed, in
+however many processes. Leaks leave the exit status of a process alone; other errors still abort it, and are cases that
+failed, as their text is in these files too. The end by a signal such as SIGSEGV is the test's to judge. Now and then
+LeakSanitizer cannot stop the threads of a process that ends, and aborts it. Tests that failed while that happened run
+once more; of many processes it is a failure."""
 
 import collections
 import dataclasses
@@ -34,15 +40,17 @@ RECORD = re.compile(r"^(?:Direct|Indirect) leak of (\d+) byte\(s\) in (\d+) obje
 FRAME = re.compile(r"^ +#\d+ 0x[0-9a-f]+ in (.*) at (.*) of (.*)\+(?:0x)?[0-9a-f]+$")
 EXITED = "AddressSanitizer exit stats:"
 BLIND = "LeakSanitizer has encountered a fatal error"
-# The end by a signal, which tests provoke.
-SIGNAL = re.compile(r"AddressSanitizer: (?:SEGV|ABRT|BUS|FPE|ILL|TRAP) ")
+# The end by a signal, which tests provoke: also while the process looks for leaks.
+SIGNAL = re.compile(r"AddressSanitizer: (?:SEGV|ABRT|BUS|FPE|ILL|TRAP) |^==.*==Unable to get registers from thread")
 ERROR = re.compile(r"==ERROR: (?!LeakSanitizer: detected)|: runtime error: |CHECK failed|ERROR: Can't ")
 # Libraries that allocate for whoever calls them, by their names without versions.
 RUNTIME = {"libasan", "libubsan", "liblsan", "libc", "libm", "libpthread", "libdl", "ld-linux-x86-64", "libstdc++",
            "libgcc_s", "libc++", "libc++abi"}
 # Code of others that is linked into the tree's files.
 LINKED = ("llvm::*", "LLVM*")
+GOOD = ("OK", "EXPECTEDFAIL", "SKIP")  # results of meson's
 SHOWN = 25  # frames of a stack, and distinct leaks
+BLIND_SHARE = 0.01  # of the processes that could not look for leaks
 
 
 class BadTable(Exception):
@@ -76,7 +84,8 @@ def is_runtime(frame):
 
 
 def is_own(frame, tree):
-    return pathlib.Path(frame.module).is_relative_to(tree) and \
+    # The tree has symbols, so that a place of its files without one is another file's, which is unloaded.
+    return frame.function != "<null>" and pathlib.Path(frame.module).is_relative_to(tree) and \
         not any(fnmatch.fnmatchcase(frame.function, pattern) for pattern in LINKED)
 
 
@@ -108,6 +117,41 @@ def read(path, tree):
     return report
 
 
+def reports_of(folder, tree):
+    return [read(path, tree) for path in sorted(folder.iterdir()) if FILE.search(path.name)]
+
+
+def again(folder, tree, log):
+    """Returns the names of failed tests that ran when a process could not look for leaks. Its report is removed."""
+    failed = {short_name(test) for test in log if test["result"] not in GOOD}
+    found = set()
+    for path in sorted(folder.iterdir()):
+        report = read(path, tree) if FILE.search(path.name) else None
+        if report and report.blind:
+            tests = failed & set(tests_of(report, log))
+            found |= tests
+            if tests:
+                path.unlink()
+    return sorted(found)
+
+
+def merge(first, second):
+    """Writes both logs of meson into the second's file: of a test that ran again, what it said then. Returns whether
+    all tests have passed."""
+    tests = {short_name(test): test for log in (first, second) for test in log_of(log)}
+    second.write_text("".join(json.dumps(test) + "\n" for test in tests.values()))
+    return all(test["result"] in GOOD for test in tests.values())
+
+
+def log_of(path):
+    """Returns the entries of meson's testlog.json, none where there is no such file."""
+    return [json.loads(line) for line in path.read_text(errors="replace").splitlines()] if path.exists() else []
+
+
+def short_name(test):
+    return test["name"].split(" / ")[-1]
+
+
 def rows(path):
     """Returns the rows of a table. Raises BadTable for one without a reason, or that any stack would fit."""
     table = tomllib.loads(path.read_text()).get("leak", [])
@@ -132,7 +176,7 @@ def tests_of(report, log):
     during = [test for test in log if test["starttime"] <= report.time + 0.1 and
               report.time <= test["starttime"] + test["duration"] + 0.1]
     own = [test for test in during if any(pathlib.Path(word).name == report.program for word in test["command"])]
-    return [test["name"].split(" / ")[-1] for test in own or during]
+    return [short_name(test) for test in own or during]
 
 
 def names(words, count=4):
@@ -143,10 +187,10 @@ def names(words, count=4):
 
 def judge(folder, tree, log, table):
     """Returns the part of a suite, and the rows of the table that were needed by their places in it."""
-    reports = [read(path, tree) for path in sorted(folder.iterdir()) if FILE.search(path.name)]
+    reports = reports_of(folder, tree)
     part = {"name": "leaks", "passed": 0, "failed": 0, "skipped": 0, "failures": [], "skips": {}}
     leaks, errors, used = collections.defaultdict(list), collections.defaultdict(list), set()
-    faulty = signals = 0
+    faulty = signals = blind = 0
     for report in reports:
         stacks, tests = set(), tests_of(report, log)
         for size, stack in report.leaks:
@@ -158,22 +202,25 @@ def judge(folder, tree, log, table):
             if not of:
                 stacks.add(tuple(stack))
                 leaks[tuple(stack)].append((report.program, tests, size))
-        if report.blind:
-            errors[f"{report.program}: leaks could not be looked for"].append((BLIND, tests))
-        elif report.error and SIGNAL.search(report.error):
-            signals += 1
-            print(f"a signal ended {report.program}{during(tests)}: {summary(report.error)}")
+        is_signal = bool(report.error and SIGNAL.search(report.error))
+        if is_signal or report.blind:
+            signals, blind = signals + is_signal, blind + report.blind
+            print(f"{'leaks could not be looked for in' if report.blind else 'a signal ended'} {report.program}"
+                  f"{during(tests)}: {summary(report.error)}")
             continue
-        elif report.error:
+        if report.error:
             errors[f"{report.program}: {summary(report.error)}"].append((report.error, tests))
-        faulty += bool(stacks or report.blind or report.error)
+        faulty += bool(stacks or report.error)
     say_leaks(leaks, part)
     for name, found in errors.items():
         said = f"{name}{during(sum((tests for _, tests in found), []))}"
         print(f"\n{said}, {len(found)} times\n{found[0][0]}")
         part["failures"].append(said)
-    part["passed"], part["failed"] = len(reports) - signals - faulty, len(part["failures"])
-    print(f"\n{len(reports) - signals} processes looked for leaks, {faulty} failed; "
+    if blind > BLIND_SHARE * len(reports):
+        part["failures"].append(f"leaks could not be looked for in {blind} of {len(reports)} processes")
+    looked = len(reports) - signals - blind
+    part["passed"], part["failed"] = looked - faulty, len(part["failures"])
+    print(f"\n{looked} processes looked for leaks, {faulty} failed; {blind} could not; "
           f"{signals} more were ended by a signal")
     return part, used
 
@@ -205,18 +252,24 @@ def say_leaks(leaks, part):
 
 
 def main(words):
-    if words[:1] == ["options"] and len(words) == 2:
-        print(OPTIONS.format(words[1]))
+    verb, words = (words or [""])[0], words[1:]
+    if verb == "options" and len(words) == 1:
+        print(OPTIONS.format(words[0]))
         return 0
-    if words[:1] != ["judge"] or words[4:] not in ([], ["whole"]) or len(words) < 4:
+    if verb == "merge" and len(words) == 2:
+        return 0 if merge(*map(pathlib.Path, words)) else 1
+    if (verb, len(words)) not in (("again", 2), ("judge", 3), ("judge", 4)) or words[3:] not in ([], ["whole"]):
         print(__doc__, file=sys.stderr)
         return 2
-    folder, tree, target = map(pathlib.Path, words[1:4])
-    log = tree / "meson-logs/testlog.json"
-    tests = [json.loads(line) for line in log.read_text(errors="replace").splitlines()] if log.exists() else []
+    folder, tree = map(pathlib.Path, words[:2])
+    tests = log_of(tree / "meson-logs/testlog.json")
+    if verb == "again":
+        print(*again(folder, tree.resolve(), tests), sep="\n")
+        return 0
+    target = pathlib.Path(words[2])
     table = rows(TABLE)
     part, used = judge(folder, tree.resolve(), tests, table)
-    if words[4:]:
+    if words[3:]:
         for at in sorted(set(range(len(table))) - used):
             print(f"leaks.toml: nothing leaks as this row has it: {table[at]}")
         if not part["passed"] + part["failed"]:

@@ -25,6 +25,7 @@ OWN = f"void own() at {ROOT}/src/a.cpp:7 of /tree/build/lib/libown.so.0+0x7c"
 INLINED = "std::vector<int>::reserve() at /usr/include/c++/12/bits/vector.tcc:70 of /tree/build/lib/libown.so.0+0x7c"
 HOST = "driver at <null> of /usr/lib/dri/swrast_dri.so+0x99"
 UNLOADED = "<null> at <null> of <null>+0x7f0012345678"
+STALE = "<null> at <null> of /tree/build/lib/libown.so.0+0x7c"
 LLVM = "llvm::Module::make() at <null> of /tree/build/lib/libown.so.0+0x7c"
 MALLOC = "malloc at ../asan.cpp:3 of /usr/lib/x86_64-linux-gnu/libasan.so.8+0x1"
 STRDUP = "strdup at <null> of /usr/lib/x86_64-linux-gnu/libc.so.6+0x1"
@@ -54,17 +55,25 @@ REPORTS = [
     (leaking(leak(MALLOC, HOST, OWN)), [1, 0], ""),
     (leaking(leak(MALLOC, UNLOADED, OWN)), [1, 0], ""),
     (leaking(leak(MALLOC, LLVM, OWN)), [1, 0], ""),
+    (leaking(leak(MALLOC, STALE, OWN)), [1, 0], ""),
     (leaking(leak(MALLOC)), [1, 0], ""),
-    (leaking(leak(MALLOC, HOST), leak(MALLOC, OWN), leak(MALLOC, INLINED, OWN)), [0, 2], "own()"),
+    (leaking(leak(MALLOC, HOST), leak(MALLOC, OWN), leak(MALLOC, INLINED, OWN)), [0, 1], "own()"),
     (ERROR.format("heap-use-after-free", "heap-use-after-free"), [0, 1], "heap-use-after-free src/a.cpp:7 in own"),
     (ERROR.format("SEGV", "SEGV"), [0, 0], ""),
     (ERROR.format("double-free", "double-free").replace(" ../src", f" {ROOT}/build-asan/../src"), [0, 1],
      "double-free src/a.cpp:7 in own"),
     (UNDEFINED, [0, 1], "index 4 out of bounds"),
+    ("==a==5==Unable to get registers from thread 7.\n", [0, 0], ""),
     (BLIND, [0, 1], "could not be looked for"),
     (BLIND + STATS, [0, 1], "could not be looked for"),
     ("something else\n", [0, 1], "something else"),
 ]
+
+
+def test(name, start, *command, result="OK"):
+    """Returns an entry of meson's log."""
+    return {"name": f"arbiter:unit / {name}", "starttime": start, "duration": 10.0, "command": list(command),
+            "result": result}
 
 
 def judged(folder, tree=TREE, log=(), table=()):
@@ -107,10 +116,33 @@ class Texts(Folder):
         self.report(leaking(leak(MALLOC, OWN, HOST), leak(MALLOC, INLINED, OWN)), "report.client.30")
         self.assertEqual(len(judged(self.folder)[0]["failures"]), 1, "two ways to one place have one name")
 
-    def test_the_test_is_named_that_ran_then(self):
-        def test(name, start, *command):
-            return {"name": f"arbiter:unit / {name}", "starttime": start, "duration": 10.0, "command": list(command)}
+    def test_one_of_many_may_not_look(self):
+        for number in range(99):
+            self.report(STATS, f"report.client.{number}")
+        self.report(BLIND, "report.blind.5")
+        part, _, said = judged(self.folder)
+        self.assertEqual((part["passed"], part["failed"]), (99, 0), said)
+        self.report(BLIND, "report.blind.6")
+        part, _, said = judged(self.folder)
+        self.assertEqual(part["failures"], ["leaks could not be looked for in 2 of 101 processes"], said)
 
+    def test_what_failed_while_one_could_not_look_runs_again(self):
+        log = [test("early", 80.0, "x", result="FAIL"), test("runs", 96.0, "y", result="FAIL"), test("good", 96.0, "z")]
+        self.report(BLIND)
+        self.report(leaking(leak(MALLOC, OWN)), "report.b.6")
+        self.assertEqual(leaks.again(self.folder, TREE, log), ["runs"])
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["report.b.6"])
+        first, second = self.folder / "first.json", self.folder / "second.json"
+        for result, good in (("OK", False), ("FAIL", False)):
+            first.write_text("".join(json.dumps(row) + "\n" for row in log))
+            second.write_text(json.dumps(test("runs", 200.0, "y", result=result)) + "\n")
+            self.assertEqual(leaks.merge(first, second), good)
+            self.assertEqual([row["result"] for row in leaks.log_of(second)], ["FAIL", result, "OK"])
+        first.write_text(json.dumps(log[1]) + "\n")
+        second.write_text(json.dumps(test("runs", 200.0, "y")) + "\n")
+        self.assertTrue(leaks.merge(first, second))
+
+    def test_the_test_is_named_that_ran_then(self):
         log = [test("early", 80.0, "/b/a"), test("beside", 95.0, "python3", "run.py"), test("runs", 96.0, "/b/a", "-x")]
         self.report(leaking(leak(MALLOC, OWN)))
         self.assertEqual(judged(self.folder, log=log)[0]["failures"], ["a (in runs): void own() (src/a.cpp:7)"])
