@@ -3,7 +3,8 @@
 # usage: scripts/i386.sh TREE [TEST...]     without names: all tests that need nothing else of 32 bits
 #
 # TREE/root gets Debian's i386 packages unpacked, nothing of the running system is changed; TREE/build
-# is a cross build, whose programs have the loader and the libraries of TREE/root, Mesa among them.
+# is a cross build, whose programs have the loader and the libraries of TREE/root, Mesa among them. Where the kernel
+# runs no 32-bit programs (ia32_emulation=off), qemu does.
 set -euo pipefail
 
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
@@ -13,6 +14,21 @@ jobs=${ARBITER_JOBS:-$(nproc)}
 source "$root/scripts/dev_lib.sh"
 # shellcheck source=scripts/sysroot.sh
 source "$root/scripts/sysroot.sh"
+
+# Only namespaces of users, of Linux 6.7 and later, have formats of programs of their own, which go with them.
+emulate() {
+  local formats=/proc/sys/fs/binfmt_misc zeros='\x00\x00\x00\x00\x00\x00\x00\x00' ones='\xff\xff\xff\xff\xff'
+  mount -t binfmt_misc binfmt_misc "$formats" ||
+    fail "i386: this kernel neither runs 32-bit programs nor has qemu do so"
+  printf '%s' ":qemu-i386:M::\x7fELF\x01\x01\x01\x00$zeros\x02\x00\x03\x00:" \
+    "$ones\xfe\xfe\x00$ones\xff\xff\xff\xfe\xff\xff\xff:$(command -v qemu-i386):F" >"$formats/register"
+}
+
+if [[ -n ${ARBITER_I386_EMULATED:-} ]]; then
+  emulate
+elif ! arch-test -n i386 >/dev/null; then
+  exec unshare --user --map-root-user --mount -- env ARBITER_I386_EMULATED=1 QEMU_CPU=max "$0" "$@"
+fi
 tree=$(mkdir -p "$1" && cd "$1" && pwd)
 shift
 export WANTED=$*

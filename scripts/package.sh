@@ -19,6 +19,8 @@ native=$(dpkg --print-architecture)
 architecture=${1:-$native}
 [[ $# -le 1 && ($architecture == "$native" || "$native $architecture" == "amd64 i386") ]] ||
   fail "package: ${*: -1}: there is $native here$([[ $native != amd64 ]] || echo ", and i386")"
+[[ $architecture == "$native" ]] || arch-test -n "$architecture" >/dev/null ||
+  fail "package: a Debian of $architecture builds these packages, and this kernel runs none of its programs"
 # The changelog's version is that of the packages of Debian 12. Those of another release have a later one, so that they
 # replace these when a system is upgraded.
 suffix=

@@ -47,4 +47,5 @@ packages_tarball_check=(xvfb)
 packages_artefacts=(python3 xz-utils)
 packages_flatpak=(flatpak flatpak-builder git)
 packages_arm64=(g++-aarch64-linux-gnu qemu-user)
-packages_i386=(g++-i686-linux-gnu patchelf)
+# arch-test says whether programs of 32 bits run here; qemu runs them where they do not.
+packages_i386=(g++-i686-linux-gnu patchelf arch-test qemu-user)
