@@ -218,8 +218,9 @@ leave_machine() { python3 "$root/scripts/release.py" --machine >"$results/.machi
 start_display() {
   local file
   file=$(mktemp)
-  # Without -noreset it starts anew when its last client leaves, and refuses the next meanwhile.
-  Xvfb -displayfd 3 -screen 0 1280x1024x24 -noreset -nolisten tcp 3>"$file" >/dev/null 2>&1 &
+  # Without -noreset it starts anew when its last client leaves, and refuses the next meanwhile. It takes 256 clients by
+  # itself, and many processors run many tests, some of which run many clients.
+  Xvfb -displayfd 3 -screen 0 1280x1024x24 -noreset -maxclients 2048 -nolisten tcp 3>"$file" >/dev/null 2>&1 &
   display_pid=$!
   trap 'kill "$display_pid" 2>/dev/null || true' EXIT
   local tries
@@ -343,8 +344,8 @@ counted_whole() {
   finish_results
 }
 
-# usage: [whole=whole] meson_tests TREE OPTIONS...   whole: they are all tests of a change; where the caller has a folder
-# `reports`, tests that the look for leaks has ended run again
+# usage: [whole=whole] meson_tests TREE OPTIONS...   whole: they are all tests of a change
+# Where the caller has a folder `reports`, tests that the look for leaks has ended run again.
 meson_tests() {
   local tree=$1 log=$1/meson-logs/testlog.json status=0
   local -a again=()
