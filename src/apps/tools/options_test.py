@@ -115,6 +115,8 @@ EFFECTS = ('check', 'compile', 'report')
 # Options that are accepted but change nothing, with the reason.
 NO_EFFECT = {
     ('check', '--limits', '--language=atifs'): 'a shader that loads fits: the language has no limits',
+    ('check', '--limits', '--language=rc'): 'likewise',
+    ('check', '--limits', '--language=ts'): 'likewise',
     ('compile', '--profile', '--language=atifs'): 'likewise',
     ('compile', '--profile', '--language=rc'): 'two cards may have the same combiners',
     ('compile', '--profile', '--language=ts'): 'likewise',
@@ -125,7 +127,7 @@ NO_EFFECT = {
 OPERANDS = {
     'check': [['good.fp'], ['dependent.fp'], ['long.fp'], ['bad.fp'], ['good.vp'], ['good.atifs'],
               ['huge.fp'], ['huge.vp'], ['.'], ['none.fp'], ['good.fp', 'dependent.fp'],
-              ['good.vp', 'long.fp'], ['good.fp', 'huge.fp'], ['naive.fp']],
+              ['good.vp', 'long.fp'], ['good.fp', 'huge.fp'], ['naive.fp'], ['good.nvrc'], ['good.nvts']],
     'compile': [['good.fp'], ['long.fp'], ['infinite.fp'], ['wasteful.fp'], ['bad.fp'], ['good.vp'],
                 ['two.vp'], ['good.atifs'], ['good.nvrc'], ['good.nvts']],
     'draw': [['good.fp'], ['good.vp', 'dependent.fp'], ['bad.fp']],
