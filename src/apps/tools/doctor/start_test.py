@@ -3,6 +3,7 @@
 
 usage: start_test.py ARBITER LAYER SOURCE_ROOT CXX [unittest arguments]
 """
+import errno
 import os
 import pathlib
 import shutil
@@ -50,13 +51,25 @@ class Start(Examined):
         self.assertIn('It is a 32-bit (i386) program', line)
         self.assertIn('sudo dpkg --add-architecture i386', line)
 
+    def test_a_program_of_another_machine_is_no_script(self):
+        game = self.compile('game', 'int main() {}\n')
+        header = bytearray(game.read_bytes())
+        header[18:20] = b'\xff\x7f'  # e_machine
+        game.write_bytes(header)
+        lines, status = self.said(game)
+        self.assertEqual(lines[-1], f'arbiter run: {game}: this kernel runs no programs of its kind')
+        self.assertEqual(status, 126)
+
     def test_a_loader_that_is_missing(self):
         game = self.compile('game', 'int main() {}\n')
         of_32_bits(game, '/nil/ld-linux.so.2')
         lines, status = self.said(game)
         self.assertIn('a 32-bit (i386) program, and its loader /nil/ld-linux.so.2 is not on this system', lines[0])
         self.assertIn('sudo dpkg --add-architecture i386 && sudo apt update && sudo apt install libc6:i386', lines[0])
-        self.assertEqual(status, 127)
+        # A kernel without programs of 32 bits does not look for their loader.
+        with self.assertRaises(OSError) as bare:
+            subprocess.run([game])
+        self.assertEqual(status, 126 if bare.exception.errno == errno.ENOEXEC else 127)
         of_32_bits(game, '/nil/ld-linux.so.1')
         self.assertIn('libc 5', self.said(game)[0][0])
         of_32_bits(game, '/nil/ld-linux-x.so.2')

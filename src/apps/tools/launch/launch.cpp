@@ -1,12 +1,15 @@
 #include "apps/tools/launch/launch.h"
 
 #include <GL/arbiter.h>
+#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <unistd.h>
 
+#include "apps/tools/command_file.h"
 #include "apps/tools/input.h"
 #include "apps/tools/launch/preload_link.h"
 #include "control/address.h"
@@ -142,6 +145,12 @@ std::string whyNotFollowed(const std::vector<Assignment> &environment) {
   return {};
 }
 
+bool isElf(const std::string &path) {
+  std::array<char, 4> start = {};
+  std::ifstream(path, std::ios::binary).read(start.data(), start.size());
+  return start == std::array{'\x7f', 'E', 'L', 'F'};
+}
+
 } // namespace
 
 Result<LayerFiles, LaunchError> findLayer(const std::string &library) {
@@ -242,9 +251,17 @@ int execute(const std::vector<Assignment> &environment, const std::vector<std::s
   for (const std::string &word : command)
     argv.push_back(const_cast<char *>(word.c_str())); // execvp does not write to the words
   argv.push_back(nullptr);
-  ::execvp(argv[0], argv.data());
+  // execvp() has a shell read what the kernel does not run. A program of another machine, or of 32
+  // bits where the kernel has none (ia32_emulation=off), is no script.
+  const std::string file = findCommand(command).found;
+  if (isElf(file))
+    ::execv(file.c_str(), argv.data());
+  else
+    ::execvp(argv[0], argv.data());
   const int failure = errno;
-  complain(command[0] + ": " + std::strerror(failure));
+  complain(
+      command[0] + ": " +
+      (failure == ENOEXEC ? "this kernel runs no programs of its kind" : std::strerror(failure)));
   return failure == ENOENT ? kExitNoCommand : kExitNotExecutable;
 }
 
