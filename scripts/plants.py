@@ -22,13 +22,12 @@ import sys
 import time
 import tomllib
 
+from release import GROUP
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TABLE = ROOT / "scripts/plants.toml"
 KEYS = {"name", "title", "file", "find", "put", "create", "command", "says", "minutes"}
 ENDINGS = (signal.SIGTERM, signal.SIGHUP, signal.SIGINT)
-# The command and all that it has started end with this program. A shell has its background commands ignore interrupts,
-# which tests send.
-GROUP = """trap 'trap "" TERM; kill -TERM 0; exit 143' TERM; env --default-signal=INT,QUIT "$@" & wait $!"""
 
 
 class Refused(Exception):
