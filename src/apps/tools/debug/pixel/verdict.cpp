@@ -162,7 +162,7 @@ Result<Verdict, DebugError> compareColors(Drawer &drawer, const Program &program
   if (fragment.value()[0] != uncovered())
     verdict.drawn = fragment.value()[0];
   else if (writesDepth(program)) {
-    // What the depth test hides, and what is discarded, differ only without the program's depth.
+    // A draw without the program's depth tells a hidden fragment from a discarded one.
     const auto kept = drawPixel(drawer, fp::emitAssembly(withoutDepth(program)), 1, x, y);
     if (!kept)
       return kept.error();
