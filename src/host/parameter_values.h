@@ -21,6 +21,14 @@ public:
   [[nodiscard]] std::array<GLfloat, 4> readIf(bool isValid) const {
     return isValid ? read() : std::array<GLfloat, 4>{};
   }
+  /// Calls \p use with the four values as floats, which stay in registers. Each value is loaded
+  /// alone: a processor waits before it loads as one what the application has just stored by parts.
+  template <typename Use> void give(Use use) const {
+    if (m_areDoubles)
+      give(static_cast<const GLdouble *>(m_values), use);
+    else
+      give(static_cast<const GLfloat *>(m_values), use);
+  }
   /// Calls the host's command for values of their type, unread.
   template <typename Floats, typename Doubles, typename... Leading>
   void pass(Floats *floats, Doubles *doubles, Leading... leading) const {
@@ -31,6 +39,9 @@ public:
   }
 
 private:
+  template <typename T, typename Use> static void give(const volatile T *values, Use use) {
+    use(GLfloat(values[0]), GLfloat(values[1]), GLfloat(values[2]), GLfloat(values[3]));
+  }
   template <typename T> static std::array<GLfloat, 4> read(const T *values) {
     return {GLfloat(values[0]), GLfloat(values[1]), GLfloat(values[2]), GLfloat(values[3])};
   }

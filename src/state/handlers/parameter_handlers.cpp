@@ -117,7 +117,11 @@ void ProgramEnvParameter4fARB(Context &context, GLenum target, GLuint index,
   if (!row)
     return values.pass(context.host->ProgramEnvParameter4fvARB,
                        context.host->ProgramEnvParameter4dvARB, target, index);
-  env(context, *row, index, values.readIf(index < row->env.size()));
+  if (index >= row->env.size()) [[unlikely]]
+    return env(context, *row, index, Vec4{});
+  values.give([&](GLfloat x, GLfloat y, GLfloat z, GLfloat w) __attribute__((always_inline)) {
+    env(context, *row, index, {x, y, z, w});
+  });
 }
 
 void ProgramEnvParameters4fvEXT(Context &context, GLenum target, GLuint index, GLsizei count,
@@ -143,7 +147,11 @@ void ProgramLocalParameter4fARB(Context &context, GLenum target, GLuint index,
   if (!row)
     return values.pass(context.host->ProgramLocalParameter4fvARB,
                        context.host->ProgramLocalParameter4dvARB, target, index);
-  local(context, *row, index, values.readIf(index < row->limits.localParameters));
+  if (index >= row->limits.localParameters) [[unlikely]]
+    return local(context, *row, index, Vec4{});
+  values.give([&](GLfloat x, GLfloat y, GLfloat z, GLfloat w) __attribute__((always_inline)) {
+    local(context, *row, index, {x, y, z, w});
+  });
 }
 
 void ProgramLocalParameters4fvEXT(Context &context, GLenum target, GLuint index, GLsizei count,
