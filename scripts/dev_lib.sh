@@ -344,14 +344,31 @@ counted_whole() {
   finish_results
 }
 
+# Prints the names of a tree's tests that are like a pattern: Meson of Debian 12 takes whole names alone.
+# usage: tests_like TREE PATTERN
+tests_like() {
+  meson introspect --tests "$1" | python3 -c '
+import fnmatch, json, sys
+print(*sorted({test["name"] for test in json.load(sys.stdin) if fnmatch.fnmatch(test["name"], sys.argv[1])}), sep="\n")
+' "$2" | grep .
+}
+
 # usage: [whole=whole] meson_tests TREE OPTIONS...   whole: they are all tests of a change
 # Where the caller has a folder `reports`, tests that the look for leaks has ended run again.
 meson_tests() {
-  local tree=$1 log=$1/meson-logs/testlog.json status=0
-  local -a again=()
+  local tree=$1 log=$1/meson-logs/testlog.json status=0 word found
+  local -a again=() words=()
   shift
+  for word in "$@"; do
+    if [[ $word == *[*?]* ]]; then
+      found=$(tests_like "$tree" "$word") || fail "no test is like $word"
+      mapfile -t -O ${#words[@]} words <<<"$found"
+    else
+      words+=("$word")
+    fi
+  done
   rm -f "$log"
-  meson test -C "$tree" --no-rebuild --print-errorlogs --num-processes "$jobs" "$@" || status=$?
+  meson test -C "$tree" --no-rebuild --print-errorlogs --num-processes "$jobs" "${words[@]}" || status=$?
   if [[ $status != 0 && -n ${reports:-} ]]; then
     mapfile -t again < <(python3 "$root/scripts/leaks.py" again "$reports" "$tree" | grep .)
   fi

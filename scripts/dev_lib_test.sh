@@ -93,4 +93,10 @@ suite 0 "1 passed, 0 failed, 0 skipped" 'echo "$other 1" >"$results/.process"; f
 kill "$other"
 wait "$other" || true
 suite 0 "1 passed, 0 failed, 0 skipped" 'echo "$of_other" >"$results/.process"; fresh_results; counted a true'
+# Patterns of names of tests.
+meson() { echo '[{"name": "api-b"}, {"name": "api-a"}, {"name": "other-api"}]'; }
+[[ $(tests_like tree 'api-*') == $'api-a\napi-b' ]] || { echo "tests_like: not those of the pattern" >&2; exit 1; }
+if tests_like tree 'none*'; then echo "tests_like: a pattern of no test passed" >&2; exit 1; fi
+passed=$((passed + 2))
+
 echo "$passed passed, 0 failed, 0 skipped"
