@@ -110,7 +110,7 @@ def read(path, tree):
         else:
             stack = None
     error = ERROR.search(text)
-    if error and not report.blind:
+    if error:
         report.error = text[text.rfind("\n", 0, error.start()) + 1:].split("\nShadow bytes around")[0].split(EXITED)[0]
     elif not (report.looked or report.leaks or report.blind):
         report.error = text  # of a kind that is not known
@@ -127,7 +127,7 @@ def again(folder, tree, log):
     found = set()
     for path in sorted(folder.iterdir()):
         report = read(path, tree) if FILE.search(path.name) else None
-        if report and report.blind:
+        if report and report.blind and not report.error:
             tests = failed & set(tests_of(report, log))
             found |= tests
             if tests:
@@ -202,11 +202,13 @@ def judge(folder, tree, log, table):
             if not of:
                 stacks.add(tuple(stack))
                 leaks[tuple(stack)].append((report.program, tests, size))
-        is_signal = bool(report.error and SIGNAL.search(report.error))
-        if is_signal or report.blind:
-            signals, blind = signals + is_signal, blind + report.blind
-            print(f"{'leaks could not be looked for in' if report.blind else 'a signal ended'} {report.program}"
-                  f"{during(tests)}: {summary(report.error)}")
+        if report.error and SIGNAL.search(report.error):
+            signals += 1
+            print(f"a signal ended {report.program}{during(tests)}: {summary(report.error)}")
+            continue
+        if report.blind and not report.error:
+            blind += 1
+            print(f"leaks could not be looked for in {report.program}{during(tests)}")
             continue
         if report.error:
             errors[f"{report.program}: {summary(report.error)}"].append((report.error, tests))

@@ -126,12 +126,21 @@ class Texts(Folder):
         part, _, said = judged(self.folder)
         self.assertEqual(part["failures"], ["leaks could not be looked for in 2 of 101 processes"], said)
 
+    def test_an_error_counts_where_leaks_could_not_be_looked_for(self):
+        for number in range(199):
+            self.report(STATS, f"report.client.{number}")
+        self.report(UNDEFINED + BLIND, "report.blind.5")
+        part, _, said = judged(self.folder)
+        self.assertEqual((part["passed"], part["failed"]), (199, 1), said)
+        self.assertIn("index 4 out of bounds", part["failures"][0])
+
     def test_what_failed_while_one_could_not_look_runs_again(self):
         log = [test("early", 80.0, "x", result="FAIL"), test("runs", 96.0, "y", result="FAIL"), test("good", 96.0, "z")]
         self.report(BLIND)
         self.report(leaking(leak(MALLOC, OWN)), "report.b.6")
+        self.report(UNDEFINED + BLIND, "report.c.7")
         self.assertEqual(leaks.again(self.folder, TREE, log), ["runs"])
-        self.assertEqual([path.name for path in self.folder.iterdir()], ["report.b.6"])
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["report.b.6", "report.c.7"])
         first, second = self.folder / "first.json", self.folder / "second.json"
         for result, good in (("OK", False), ("FAIL", False)):
             first.write_text("".join(json.dumps(row) + "\n" for row in log))
