@@ -206,24 +206,25 @@ GLint sizeOf(const Context &context, GLenum target, GLint level, GLenum pname) {
   return value;
 }
 
-/// Gets an image in one of the two packed types that the host lacks.
-void getSignedBytes(Context &context, GLenum target, GLint level, GLenum type, void *pixels) {
+/// Gets an image of components as integers. The host has its floats in the format `there`.
+void getComponents(Context &context, GLenum target, GLint level, GLenum there, int components,
+                   GLenum type, void *pixels) {
   const ComponentPixels to = {sizeOf(context, target, level, GL_TEXTURE_WIDTH),
                               std::max(sizeOf(context, target, level, GL_TEXTURE_HEIGHT), 1),
                               std::max(sizeOf(context, target, level, GL_TEXTURE_DEPTH), 1),
-                              4,
+                              components,
                               type,
                               target == GL_TEXTURE_3D ? 3 : 2};
   if (to.width == 0)
     return;
   std::vector<GLfloat> texels(std::size_t(to.width) * std::size_t(to.height) *
-                              std::size_t(to.depth) * 4);
+                              std::size_t(to.depth) * std::size_t(components));
   {
     const PlainTransfer plain(context, PixelStore::Pack);
-    context.host->GetTexImage(target, level, GL_RGBA, GL_FLOAT, texels.data());
+    context.host->GetTexImage(target, level, there, GL_FLOAT, texels.data());
   }
   if (pixels || context.caps.pixelBuffers)
-    (void)packSignedBytes(context, to, texels, pixels);
+    (void)packComponents(context, to, texels, pixels);
 }
 
 /// Returns the format for the host's GetTexImage; 0 if the command was an error or is done.
@@ -244,14 +245,15 @@ GLenum getFormat(Context &context, GLenum target, GLint level, GLenum format, GL
     raise(context, error, "GetTexImage: the format has no such type");
     return 0;
   }
-  if (isSignedPacked(type)) {
-    if (context.software)
-      context.software->residency.synchronise("glGetTexImage");
-    getSignedBytes(context, target, level, type, pixels);
-    return 0;
-  }
   constexpr GLenum kFormats[] = {GL_RG, GL_RGB, GL_RGBA};
-  return kFormats[componentsOf(format) - 2];
+  const int components = componentsOf(format);
+  const GLenum there = kFormats[components - 2];
+  if (!isPackedHere(type))
+    return there;
+  if (context.software)
+    context.software->residency.synchronise("glGetTexImage");
+  getComponents(context, target, level, there, components, type, pixels);
+  return 0;
 }
 
 } // namespace

@@ -98,6 +98,35 @@ std::uint32_t word(const GLfloat *from, GLenum type) {
   return result;
 }
 
+template <typename T> void write(T value, bool swaps, std::uint8_t *to) {
+  std::memcpy(to, &value, sizeof value);
+  if (swaps)
+    std::reverse(to, to + sizeof value);
+}
+
+template <typename T> T integer(GLfloat value) {
+  const double least = std::numeric_limits<T>::is_signed ? -1 : 0;
+  return T(
+      std::llround(std::clamp(double(value), least, 1.0) * double(std::numeric_limits<T>::max())));
+}
+
+void writeComponent(GLfloat value, GLenum type, bool swaps, std::uint8_t *to) {
+  switch (type) {
+  case GL_BYTE:
+    return write(integer<std::int8_t>(value), swaps, to);
+  case GL_UNSIGNED_BYTE:
+    return write(integer<std::uint8_t>(value), swaps, to);
+  case GL_SHORT:
+    return write(integer<std::int16_t>(value), swaps, to);
+  case GL_UNSIGNED_SHORT:
+    return write(integer<std::uint16_t>(value), swaps, to);
+  case GL_INT:
+    return write(integer<std::int32_t>(value), swaps, to);
+  default:
+    return write(integer<std::uint32_t>(value), swaps, to);
+  }
+}
+
 template <typename Visit>
 void forEachTexel(const ComponentPixels &pixels, const Layout &layout, Visit visit) {
   std::size_t index = 0;
@@ -160,21 +189,29 @@ bool unpackComponents(ProgramContext &context, const ComponentPixels &pixels, co
   return true;
 }
 
-bool packSignedBytes(ProgramContext &context, const ComponentPixels &pixels,
-                     const std::vector<GLfloat> &from, void *to) {
+bool isPackedHere(GLenum type) { return type != GL_FLOAT && type != GL_HALF_FLOAT; }
+
+bool packComponents(ProgramContext &context, const ComponentPixels &pixels,
+                    const std::vector<GLfloat> &from, void *to) {
   const Layout layout = layoutOf(context, pixels, PixelStore::Pack);
   const bool swaps = hostInteger(*context.host, GL_PACK_SWAP_BYTES) != 0;
   const bool buffered = hasPixelBuffer(context, PixelStore::Pack);
   if (buffered && !pixelBufferHolds(context, PixelStore::Pack, std::size_t(to), layout.end))
     return false;
+  const auto count = std::size_t(pixels.components);
   forEachTexel(pixels, layout, [&](std::size_t index, std::size_t at) {
-    std::uint32_t value = word(&from[index * 4], pixels.type);
-    if (swaps)
-      value = value >> 24 | (value >> 8 & 0xFF00) | (value << 8 & 0xFF0000) | value << 24;
-    if (buffered)
-      context.host->BufferSubData(GL_PIXEL_PACK_BUFFER, GLintptr(std::size_t(to) + at), 4, &value);
+    const GLfloat *const texel = &from[index * count];
+    std::uint8_t bytes[16];
+    if (isSignedPacked(pixels.type))
+      write(word(texel, pixels.type), swaps, bytes);
     else
-      std::memcpy(static_cast<std::uint8_t *>(to) + at, &value, sizeof value);
+      for (std::size_t c = 0; c < count; ++c)
+        writeComponent(texel[c], pixels.type, swaps, bytes + c * layout.element);
+    if (buffered)
+      context.host->BufferSubData(GL_PIXEL_PACK_BUFFER, GLintptr(std::size_t(to) + at),
+                                  GLsizeiptr(layout.texel), bytes);
+    else
+      std::memcpy(static_cast<std::uint8_t *>(to) + at, bytes, layout.texel);
   });
   return true;
 }

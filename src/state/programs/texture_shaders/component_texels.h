@@ -26,8 +26,11 @@ struct ComponentPixels {
 /// small, or mapped. Requires that componentTypeError() accepts the type.
 [[nodiscard]] bool unpackComponents(ProgramContext &context, const ComponentPixels &pixels,
                                     const void *from, std::vector<GLfloat> &to);
-/// Writes texels of one of the two packed types, by the context's pack state.
-[[nodiscard]] bool packSignedBytes(ProgramContext &context, const ComponentPixels &pixels,
-                                   const std::vector<GLfloat> &from, void *to);
+/// Writes pixels of an integer type by the context's pack state, and by the rule above: a host may
+/// have table 4.9's, by which -128 comes back for -127. Returns false after an error, as above.
+[[nodiscard]] bool packComponents(ProgramContext &context, const ComponentPixels &pixels,
+                                  const std::vector<GLfloat> &from, void *to);
+/// Returns whether packComponents() writes such a type: all but floats, which need no conversion.
+[[nodiscard]] bool isPackedHere(GLenum type);
 
 } // namespace arbiter::state
