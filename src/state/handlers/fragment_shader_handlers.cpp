@@ -116,8 +116,8 @@ void BeginFragmentShaderATI(Context &context) {
   if (!outsidePair(context, "BeginFragmentShader between Begin- and EndFragmentShader"))
     return;
   const fp::Limits &limits = shaderRow(context).limits;
-  context.atiRecorder = std::make_unique<AtiRecorder>(
-      std::min(limits.textureImageUnits, limits.textureUnits), limits.textureCoords);
+  context.atiRecorder =
+      std::make_unique<AtiRecorder>(limits.textureImageUnits, limits.textureCoords);
 }
 
 void EndFragmentShaderATI(Context &context) {

@@ -294,7 +294,7 @@ TEST(AtiRules, R12TheSecondaryColorHasNoAlpha) {
 
 TEST(AtiRules, R13RegistersHaveATextureUnit) {
   CompileOptions four = eightUnits();
-  four.limits.textureUnits = 4;
+  four.limits.textureImageUnits = 4;
   accepts(output("SampleMap r3, t3.str; MOV r0, r3;"), four);
   accepts(output("MOV r0, r5;"));
   refuses("ati_register_unit", output("MOV r0, @r4;"), four);
@@ -302,9 +302,15 @@ TEST(AtiRules, R13RegistersHaveATextureUnit) {
   refuses("ati_register_unit", output("SampleMap @r4, t0.str;"), four);
 }
 
+TEST(AtiRules, UnitsOfFixedFunctionAreNotCounted) {
+  CompileOptions four = eightUnits();
+  four.limits.textureUnits = 4; // as NVIDIA's drivers say
+  accepts(output("SampleMap r5, t5.str; MOV r0, r5;"), four);
+}
+
 TEST(AtiRules, R14TexCoordsHaveATextureUnit) {
   CompileOptions four = eightUnits();
-  four.limits.textureUnits = 4;
+  four.limits.textureCoords = 4;
   accepts(output("SampleMap r0, t3.str;"), four);
   accepts(output("SampleMap r0, t5.str;"));
   refuses("texcoord_index", output("SampleMap r0, @t4.str;"), four);

@@ -37,10 +37,11 @@ bool Parser::isRegister(const Token &token, Access access, std::uint8_t &index) 
   }
   index = *number;
   m_registersUsed[index] = true;
-  if (index >= m_limits.textureUnits)
+  // Not GL_MAX_TEXTURE_UNITS, which counts those of fixed function: four where drivers have 32.
+  if (index >= m_limits.textureImageUnits)
     error(DiagnosticId::AtiRegisterUnit, token.span,
           std::string(text(token)) + " has no texture unit of its number: there are " +
-              std::to_string(m_limits.textureUnits),
+              std::to_string(m_limits.textureImageUnits),
           "use a register below that number");
   return true;
 }
@@ -71,12 +72,12 @@ bool Parser::parseSetupSource(Setup &setup) {
     if (!number)
       return unexpected(kWhat);
     constexpr std::uint8_t kNamed = 6; // of the grammar: t0 to t5
-    const std::uint32_t limit = std::min<std::uint32_t>(m_limits.textureUnits, kNamed);
+    const std::uint32_t limit = std::min<std::uint32_t>(m_limits.textureCoords, kNamed);
     if (*number >= limit)
       error(DiagnosticId::TexCoordIndex, source.span,
             "no texture coordinate set " + quote(text(source)) + ": there are " +
                 std::to_string(limit),
-            "the sets are t0 to t5, as far as there are texture units");
+            "the sets are t0 to t5, as far as there are such sets");
     setup.source = *number < kTexCoords ? *number : 0;
   }
   m_tokens.next();
