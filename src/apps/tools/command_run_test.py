@@ -261,6 +261,7 @@ class Capture(Temporary):
         self.assertEqual(said(), ['1 text came without a record: the process was ended too early, or could not '
                                   'write it'])
 
+    @command_session.where_signals_come_at_once
     def test_signals(self):
         result = self.capture('--', 'sh', '-c', 'kill -ABRT $$')  # sanitizers handle SEGV themselves
         self.assertEqual(result.returncode, -signal.SIGABRT)
@@ -268,15 +269,22 @@ class Capture(Temporary):
             result = self.capture('--', 'sh', '-c', 'kill -TERM $PPID; exec sleep 30')
             self.assertEqual(result.returncode, -signal.SIGTERM, 'TERM was not passed on')
 
+    def expect_ends(self, words, code):
+        """Expects this exit status of a command, negative for a signal, under `run` and under `capture`."""
+        words = words if words[:1] == ('--bogus',) else ('--', *words)
+        ran = arbiter('run', '--library', FAKE, '--stats', self.path('s.json'), *words)
+        self.assertEqual((ran.returncode, self.capture(*words).returncode), (code, code), words)
+
     def test_run_ends_alike(self):
         plain = self.path('plain', 'x')
         for words, code in ((('sh', '-c', 'exit 7'), 7), (('sh', '-c', 'exit 1'), 1),
                             (('sh', '-c', 'kill -ABRT $$'), -signal.SIGABRT),
-                            (('sh', '-c', 'kill -TERM $PPID; exec sleep 30'), -signal.SIGTERM),
                             (('./nothing',), 127), ((plain,), 126), (('--bogus',), 125), ((), 125)):
-            words = words if words[:1] == ('--bogus',) else ('--', *words)
-            ran = arbiter('run', '--library', FAKE, '--stats', self.path('s.json'), *words)
-            self.assertEqual((ran.returncode, self.capture(*words).returncode), (code, code), words)
+            self.expect_ends(words, code)
+
+    @command_session.where_signals_come_at_once
+    def test_run_passes_signals_on_alike(self):
+        self.expect_ends(('sh', '-c', 'kill -TERM $PPID; exec sleep 30'), -signal.SIGTERM)
 
     def test_errors(self):
         self.path('file').write_text('')

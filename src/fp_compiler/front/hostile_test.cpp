@@ -231,6 +231,9 @@ double seconds(const std::string &text, const CompileOptions &options) {
 }
 
 TEST(Hostile, AFullProgramTakesUnderFiveMilliseconds) {
+#ifdef __SANITIZE_THREAD__
+  GTEST_SKIP() << "ThreadSanitizer makes code ten times as slow";
+#endif
   std::string text = "TEMP a, b;\nPARAM p[4] = { program.local[0..3] };\n";
   for (int i = 0; i < 32; ++i)
     text += "MAD a.xyz, -b.wzyx, p[" + std::to_string(i % 4) + "], {0.5, " + std::to_string(i) +
