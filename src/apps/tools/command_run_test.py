@@ -101,6 +101,7 @@ class Run(Temporary):
         spaced.write_bytes(pathlib.Path(FAKE).read_bytes())
         self.assertIn('cannot hold', arbiter('run', '--library', spaced, '--', 'true').stderr)
 
+    @command_session.where_programs_have_the_width
     def test_a_folder_with_a_space_is_reached_by_a_link(self):
         folder, runtime = self.path('a: b'), self.path('runtime')
         folder.mkdir()

@@ -22,6 +22,8 @@ VERTEX = ('!!ARBvp1.0\nPARAM c[2] = { program.env[0..1] };\nADDRESS A;\n'
 BAD = '!!ARBfp1.0\n# a comment\nMOV result.color, q;\nEND\n'
 
 
+# A system's own shell and its other programs have 64 bits, and a layer of 32 does not reach them.
+where_programs_have_the_width = unittest.skipIf(pathlib.Path(ARBITER).read_bytes()[4:5] == b'\1', '32 bits')
 # In GCC 12's ThreadSanitizer a handler runs once waitpid() has returned.
 where_signals_come_at_once = unittest.skipIf(
     b'__tsan_init' in pathlib.Path(ARBITER).read_bytes(),

@@ -12,7 +12,7 @@ import sys
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from command_session import ARBITER, FAKE as LAYER, arbiter  # noqa: E402
+from command_session import ARBITER, FAKE as LAYER, arbiter, where_programs_have_the_width  # noqa: E402
 from doctor_session import Examined, loader_of, of_32_bits  # noqa: E402
 from plain_environment import plain  # noqa: E402
 
@@ -25,6 +25,7 @@ class Start(Examined):
         done = arbiter('run', '--library', LAYER, '--', *command, **environment)
         return [line for line in done.stderr.splitlines() if line.startswith('arbiter run: ')], done.returncode
 
+    @where_programs_have_the_width
     def test_nothing_is_said_of_what_is_reached(self):
         game = self.compile('game', 'int main() { return 7; }\n')
         self.assertEqual(self.said(game), ([], 7))
@@ -44,6 +45,7 @@ class Start(Examined):
             self.assertTrue(line.startswith(f'arbiter run: {shell}: {STATIC}'), line)
             self.assertEqual(status, 7)
 
+    @where_programs_have_the_width
     def test_a_program_of_32_bits(self):
         game = self.compile('game', 'int main() {}\n')
         of_32_bits(game)
@@ -60,6 +62,7 @@ class Start(Examined):
         self.assertEqual(lines[-1], f'arbiter run: {game}: this kernel runs no programs of its kind')
         self.assertEqual(status, 126)
 
+    @where_programs_have_the_width
     def test_a_loader_that_is_missing(self):
         game = self.compile('game', 'int main() {}\n')
         of_32_bits(game, '/nil/ld-linux.so.2')
