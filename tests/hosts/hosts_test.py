@@ -86,11 +86,14 @@ class Programs(unittest.TestCase):
     def written(self, text):
         self.program.write_text(text)
         self.program.chmod(0o755)
-        return suites.gtest(self.program, "*", {})
+        self.log = self.program.with_name("bare.log")
+        return suites.gtest(self.program, "*", {}, self.log)
 
     def test_the_cases_after_one_that_dies_run(self):
         self.assertEqual(self.written(DIES), {"A.one": Outcome("passed"), "A.two": Outcome("failed", "signal 11"),
                                               "A.three": Outcome("skipped", "GL_x is not offered here")})
+        for name in ("A.two", "A.three"):
+            self.assertIn(name, self.log.read_text())
 
     def test_a_program_without_cases_has_failed(self):
         found = self.written("#!/bin/sh\necho no display >&2; exit 77\n")

@@ -72,14 +72,17 @@ def of_gtest(output, status):
     return cases
 
 
-def gtest(program, cases, more):
+def gtest(program, cases, more, log):
     """Returns {case: Outcome} of all cases that the pattern names: where a case ends the program, the rest runs in
-    another one."""
+    another one. What they print is left in the file `log`."""
     found = {}
+    log.write_text("")
     for _ in range(DEATHS):
         chosen, _, left_out = cases.partition("-")
         without = ":".join(filter(None, [left_out, *found]))
         status, output = output_of([program, f"--gtest_filter={chosen}" + (f"-{without}" if without else "")], more)
+        with log.open("a") as file:
+            file.write(output)
         new = of_gtest(output, status)
         found.update(new)
         if not any(outcome.why == tally_log.ended(status) for outcome in new.values()):
@@ -88,10 +91,11 @@ def gtest(program, cases, more):
 
 
 def api(args):
-    """Returns {way: {case: Outcome}} of the tests of the program API."""
+    """Returns {way: {case: Outcome}} of the tests of the program API, whose output is WAY.log in the folder."""
     program = args.build / "tests/layer_vs_specification/api_test"
-    return {BARE: gtest(program, "*", {}),
-            **{way: gtest(program, cases, layered(args.build, settings)) for way, (settings, cases) in API.items()}}
+    return {BARE: gtest(program, "*", {}, args.out / "bare.log"),
+            **{way: gtest(program, cases, layered(args.build, settings), args.out / f"{way}.log")
+               for way, (settings, cases) in API.items()}}
 
 
 def demonstrations(args):
