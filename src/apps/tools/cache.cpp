@@ -24,7 +24,7 @@ struct Kept {
 
 std::uint64_t limitBytes() { return std::uint64_t(settings().cacheMaxMegabytes) << 20; }
 
-void print(const std::vector<Kept> &all) {
+void printAsText(const std::vector<Kept> &all) {
   for (const Kept &each : all)
     std::printf("%-8s  %s: %" PRIu64 " files, %" PRIu64 " of %" PRIu64 " bytes\n", each.kind,
                 each.folder.c_str(), each.usage.files, each.usage.bytes, limitBytes());
@@ -71,7 +71,7 @@ int cache(const CacheArguments &arguments) {
     all.push_back({kind, folder, arguments.clear ? clearCache(folder) : cacheUsage(folder)});
     left = left || (arguments.clear && all.back().usage.files != 0);
   }
-  arguments.json ? printAsJson(all) : print(all);
+  arguments.json ? printAsJson(all) : printAsText(all);
   if (!left)
     return kExitOk;
   complain("some files cannot be removed");

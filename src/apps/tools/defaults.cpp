@@ -19,7 +19,6 @@ namespace fs = std::filesystem;
 using defaults::Choice;
 using defaults::Chosen;
 using defaults::Entry;
-using defaults::File;
 using defaults::Setting;
 using defaults::Value;
 
@@ -73,7 +72,7 @@ void print(const Entry &entry) {
 }
 
 /// Reports the same errors as the layer does when it loads the profile.
-void checkProfiles(File &file) {
+void checkProfiles(defaults::File &file) {
   for (const Entry &entry : file.entries)
     for (const Value &value : entry.values)
       if (value.variable == Env::Profile && !value.text.empty())
@@ -82,9 +81,9 @@ void checkProfiles(File &file) {
                                 profile.error().message);
 }
 
-bool complainOfAll(const std::vector<File> &files) {
+bool complainOfAll(const std::vector<defaults::File> &files) {
   bool any = false;
-  for (const File &file : files)
+  for (const defaults::File &file : files)
     for (const std::string &error : file.errors) {
       complain(error);
       any = true;
@@ -92,9 +91,9 @@ bool complainOfAll(const std::vector<File> &files) {
   return any;
 }
 
-void writeErrors(JsonWriter &json, const std::vector<File> &files) {
+void writeErrors(JsonWriter &json, const std::vector<defaults::File> &files) {
   json.key("errors").beginArray();
-  for (const File &file : files)
+  for (const defaults::File &file : files)
     for (const std::string &error : file.errors)
       json.value(error);
   json.endArray();
@@ -102,11 +101,11 @@ void writeErrors(JsonWriter &json, const std::vector<File> &files) {
 
 void print(JsonWriter &json) { std::fputs(json.take().c_str(), stdout); }
 
-void list(const std::vector<File> &files, bool asJson) {
+void list(const std::vector<defaults::File> &files, bool asJson) {
   if (asJson) {
     JsonWriter json;
     json.beginObject().key("schema").value(ARBITER_DEFAULTS_SCHEMA).key("entries").beginArray();
-    for (const File &file : files)
+    for (const defaults::File &file : files)
       for (const Entry &entry : file.entries)
         defaults::writeEntry(json, entry);
     json.endArray();
@@ -115,7 +114,7 @@ void list(const std::vector<File> &files, bool asJson) {
     print(json);
     return;
   }
-  for (const File &file : files)
+  for (const defaults::File &file : files)
     for (const Entry &entry : file.entries)
       print(entry);
 }
@@ -159,7 +158,7 @@ void explain(const Choice &choice, bool asJson) {
 } // namespace
 
 int showDefaults(const DefaultsArguments &arguments) {
-  std::vector<File> files;
+  std::vector<defaults::File> files;
   if (!arguments.check.empty()) {
     files.push_back(defaults::readFile(arguments.check));
     checkProfiles(files.front());
@@ -168,7 +167,7 @@ int showDefaults(const DefaultsArguments &arguments) {
   }
   const bool faulty = !arguments.json && complainOfAll(files);
   bool anyError = faulty;
-  for (const File &file : files)
+  for (const defaults::File &file : files)
     anyError = anyError || !file.errors.empty();
   if (!arguments.check.empty() && !arguments.json)
     for (const Entry &entry : files.front().entries)

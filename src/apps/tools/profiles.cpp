@@ -71,7 +71,7 @@ void printAsJson(const fp::hw::Profile &profile) {
   std::fputs(json.endObject().endObject().take().c_str(), stdout);
 }
 
-std::string quoted(std::string_view text) {
+std::string inQuotes(std::string_view text) {
   std::string escaped = "\"";
   for (const char c : text)
     escaped += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
@@ -79,7 +79,7 @@ std::string quoted(std::string_view text) {
 }
 
 void printKey(const char *key, const std::string &value, const std::string &source) {
-  std::printf("%s = { value = %s, source = %s }\n", key, value.c_str(), quoted(source).c_str());
+  std::printf("%s = { value = %s, source = %s }\n", key, value.c_str(), inQuotes(source).c_str());
 }
 
 void printTable(const fp::hw::Profile &profile, std::string_view table) {
@@ -91,15 +91,15 @@ void printTable(const fp::hw::Profile &profile, std::string_view table) {
   if (table != fp::hw::kModelTable)
     return;
   for (const fp::hw::ChoiceInfo &choice : fp::hw::choices())
-    printKey(choice.key, quoted(choice.names[profile.value(choice.choice)]),
+    printKey(choice.key, inQuotes(choice.names[profile.value(choice.choice)]),
              profile.choiceSources[std::size_t(choice.choice)]);
 }
 
 /// Prints the profile as a TOML file that `arbiter check --profile` reads, as a start for a new
 /// one.
 void print(const fp::hw::Profile &profile) {
-  std::printf("name = %s\ndescription = %s\n", quoted(profile.name).c_str(),
-              quoted(profile.description).c_str());
+  std::printf("name = %s\ndescription = %s\n", inQuotes(profile.name).c_str(),
+              inQuotes(profile.description).c_str());
   if (profile.fromHost)
     std::printf("from_host = true\n");
   for (const std::string_view table : fp::hw::tables())
@@ -110,7 +110,7 @@ void print(const fp::hw::Profile &profile) {
     const fp::hw::Identity::Text &text = profile.identity.*row.member;
     const bool number = std::string_view(row.key) == "year";
     if (!text.value.empty())
-      printKey(row.key, number ? text.value : quoted(text.value), text.source);
+      printKey(row.key, number ? text.value : inQuotes(text.value), text.source);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "apps/tools/complete/candidates.h"
 #include "apps/tools/options/options.h"
+#include "apps/tools/options/verb.h"
 
 namespace arbiter::tools {
 
@@ -22,8 +23,6 @@ constexpr std::string_view kHint = ":hint ";
 std::string shortHelp(const std::string &help) { return help.substr(0, help.find_first_of(";\n")); }
 
 bool takesValue(const CLI::Option &option) { return option.get_items_expected_max() != 0; }
-
-bool isShown(const CLI::Option &option) { return !option.get_group().empty(); }
 
 /// Returns the words that the option's validator accepts; help shows them as {a,b}.
 Candidates wordsOf(const CLI::Option &option) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "apps/tools/options/options.h"
+#include "apps/tools/options/verb.h"
 #include "util/suggest.h"
 
 namespace arbiter::tools {
@@ -22,8 +23,6 @@ std::string meant(std::string_view typed, const std::vector<std::string> &known)
   const std::string_view near = begun.empty() ? nearest(typed, views) : begun;
   return near.empty() ? std::string() : "; did you mean " + std::string(near) + "?";
 }
-
-bool isShown(const CLI::Option &option) { return !option.get_group().empty(); }
 
 /// Returns the option with the longest name that the text contains. Hidden options have no name.
 const CLI::Option *mentioned(const CLI::App &verb, const std::string &text) {

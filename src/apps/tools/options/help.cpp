@@ -34,7 +34,7 @@ struct Type {
   std::string range; ///< of a number; empty: any
 };
 
-class Words : public CLI::Formatter {
+class OwnWords : public CLI::Formatter {
 public:
   [[nodiscard]] std::string make_option_opts(const CLI::Option *option) const override {
     std::vector<std::string> parts;
@@ -103,6 +103,6 @@ std::string saidPlaceholder(const std::string &description) {
   return isOne ? first : std::string();
 }
 
-void useOwnWords(CLI::App &app) { app.formatter(std::make_shared<Words>()); }
+void useOwnWords(CLI::App &app) { app.formatter(std::make_shared<OwnWords>()); }
 
 } // namespace arbiter::tools

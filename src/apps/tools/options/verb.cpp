@@ -67,6 +67,8 @@ template <typename T> CLI::Validator between(T low, T high, const char *what) {
 
 } // namespace
 
+bool isShown(const CLI::Option &option) { return !option.get_group().empty(); }
+
 Option Option::oneOf(std::vector<std::string> words) const {
   return Option(
       m_option->check(among(std::move(words), "", [](const std::string &) { return false; })));

@@ -11,6 +11,9 @@ class Option;
 /// translates the description for CLI11.
 namespace arbiter::tools {
 
+/// Returns whether help shows an option.
+[[nodiscard]] bool isShown(const CLI::Option &option);
+
 /// One option; each function adds one property.
 class Option {
 public:

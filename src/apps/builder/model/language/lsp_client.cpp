@@ -8,7 +8,7 @@ namespace arbiter::builder {
 
 namespace {
 
-constexpr int kPatienceMilliseconds = 10000;
+constexpr int kAnswerMilliseconds = 10000;
 constexpr int kRestartMilliseconds = 50;
 constexpr int kMaxDeaths = 3;
 /// If the server has more unread bytes than this, texts wait, and a newer text replaces a waiting
@@ -20,7 +20,7 @@ constexpr qint64 kMaxUnread = 1 << 16;
 LspClient::LspClient(QString program, QObject *parent)
     : QObject(parent), m_program(std::move(program)) {
   m_watchdog.setSingleShot(true);
-  m_watchdog.setInterval(kPatienceMilliseconds);
+  m_watchdog.setInterval(kAnswerMilliseconds);
   connect(&m_watchdog, &QTimer::timeout, this,
           [this] { ended(tr("the language server does not answer")); });
   m_restart.setSingleShot(true);

@@ -44,7 +44,7 @@ struct Place {
   const scene::Arguments *arguments = nullptr;
 };
 
-Place placeOf(const scene::Panel &panel, const QString &setting) {
+Place settingPlace(const scene::Panel &panel, const QString &setting) {
   if (setting == u"camera" && panel.camera)
     return {&scene::rowOf(panel.camera->kind.value), &panel.camera->arguments};
   if (setting == u"mesh" && isPlain(panel))
@@ -108,7 +108,7 @@ QStringList wordsFor(const QString &setting) {
 Edit setArgument(const QString &text, const QString &setting, const QString &name, double value) {
   const UtfMap map(text);
   const scene::Panel panel = scene::parsePanel(map.bytes());
-  const Place place = placeOf(panel, setting);
+  const Place place = settingPlace(panel, setting);
   const auto clause = clauseOf(text, setting);
   if (!place.row || !clause)
     return {};

@@ -10,7 +10,7 @@ namespace arbiter::builder {
 
 namespace {
 
-constexpr int kPatienceMilliseconds = 60000;
+constexpr int kSequenceMilliseconds = 60000;
 
 /// Writes a picture completely or not at all, even if the disk is full.
 bool writePicture(const QString &file, const QImage &image) {
@@ -23,7 +23,7 @@ bool writePicture(const QString &file, const QImage &image) {
 SequenceExport::SequenceExport(QString arbiter, QObject *parent)
     : QObject(parent), m_arbiter(std::move(arbiter)) {
   m_patience.setSingleShot(true);
-  m_patience.setInterval(kPatienceMilliseconds);
+  m_patience.setInterval(kSequenceMilliseconds);
   connect(&m_patience, &QTimer::timeout, this, [this] {
     end(tr("the renderer gave no frame for %1 s").arg(m_patience.interval() / 1000.0));
   });

@@ -28,7 +28,7 @@ bool standsAlone(scene::Generator generator) {
   }
 }
 
-TextureLine lineOf(const scene::TextureSpec &spec, const QString &all, const UtfMap &map) {
+TextureLine textureLine(const scene::TextureSpec &spec, const QString &all, const UtfMap &map) {
   TextureLine line;
   line.unit = int(spec.unit);
   line.begin = map.unit(spec.span.begin);
@@ -50,7 +50,7 @@ QList<TextureLine> texturesOf(const QString &all) {
   const UtfMap map(all);
   const scene::Panel panel = scene::parsePanel(map.bytes());
   for (const scene::TextureSpec &spec : panel.textures)
-    lines << lineOf(spec, all, map);
+    lines << textureLine(spec, all, map);
   return lines;
 }
 

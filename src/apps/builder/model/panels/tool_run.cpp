@@ -8,7 +8,7 @@
 namespace arbiter::builder {
 
 namespace {
-constexpr int kPatienceMilliseconds = 60000;
+constexpr int kRunMilliseconds = 60000;
 }
 
 QJsonObject ToolResult::json() const { return QJsonDocument::fromJson(output).object(); }
@@ -16,7 +16,7 @@ QJsonObject ToolResult::json() const { return QJsonDocument::fromJson(output).ob
 ToolRun::ToolRun(QString program, QObject *parent)
     : QObject(parent), m_program(std::move(program)) {
   m_patience.setSingleShot(true);
-  m_patience.setInterval(kPatienceMilliseconds);
+  m_patience.setInterval(kRunMilliseconds);
   connect(&m_patience, &QTimer::timeout, this, [this] { finish(false); });
 }
 

@@ -19,7 +19,7 @@ constexpr int kChildDescriptor = 3;
 constexpr int kNice = 5;
 constexpr qint64 kKeptRevisions = 64;
 
-QStringList argumentsOf(const RenderOptions &options, const QString &folder) {
+QStringList requestArguments(const RenderOptions &options, const QString &folder) {
   QStringList words{QStringLiteral("render"), QStringLiteral("--fd"),
                     QString::number(kChildDescriptor), QStringLiteral("--folder"),
                     folder.isEmpty() ? QStringLiteral(".") : folder};
@@ -86,7 +86,7 @@ void ControlRenderer::start(const RenderOptions &options, const QString &folder)
   connect(m_client.get(), &ControlClient::frame, this, &ControlRenderer::takeFrame);
   // A renderer that violates the protocol is killed. One that has ended is reported by its process.
   connect(m_client.get(), &ControlClient::closed, this, &ControlRenderer::kill);
-  m_process->start(m_program, argumentsOf(options, folder));
+  m_process->start(m_program, requestArguments(options, folder));
   ::close(theirs);
   m_client->call(QStringLiteral("hello"), {{"client", "arbiter-builder"}},
                  [this](const QJsonObject &result, const QJsonObject &) {

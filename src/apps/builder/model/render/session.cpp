@@ -14,7 +14,7 @@ namespace arbiter::builder {
 
 namespace {
 
-constexpr int kPatienceMilliseconds = 10000;
+constexpr int kFrameMilliseconds = 10000;
 constexpr int kTickMilliseconds = 100;
 constexpr qint64 kBusyMilliseconds = 300; ///< drawing that takes longer is reported
 constexpr int kMaxBackOff = 2000;
@@ -46,7 +46,7 @@ RenderOptions optionsOf(const Scene &scene, RenderOptions options) {
 RendererSession::RendererSession(QList<Factory> factories, const QString &memory, QObject *parent)
     : QObject(parent), m_factories(std::move(factories)), m_memory(memory) {
   m_patience.setSingleShot(true);
-  m_patience.setInterval(kPatienceMilliseconds);
+  m_patience.setInterval(kFrameMilliseconds);
   connect(&m_patience, &QTimer::timeout, this, &RendererSession::stop);
   m_tick.setInterval(kTickMilliseconds);
   connect(&m_tick, &QTimer::timeout, this, [this] {

@@ -22,18 +22,18 @@ namespace arbiter::builder {
 
 namespace {
 
-constexpr int kSide = 64;
+constexpr int kTextureSide = 64;
 constexpr int kUnits = 16;
 
 /// Returns a thumbnail; a blank one if the image cannot be shown flat, or has not come yet.
-QIcon iconOf(const QImage &image) {
-  QPixmap pixmap(kSide, kSide);
+QIcon textureIcon(const QImage &image) {
+  QPixmap pixmap(kTextureSide, kTextureSide);
   if (!image.isNull()) {
-    pixmap = QPixmap::fromImage(image.scaled(kSide, kSide, Qt::KeepAspectRatio));
+    pixmap = QPixmap::fromImage(image.scaled(kTextureSide, kTextureSide, Qt::KeepAspectRatio));
   } else {
     QPainter painter(&pixmap);
-    for (int y = 0; y < kSide; y += 8)
-      for (int x = 0; x < kSide; x += 8)
+    for (int y = 0; y < kTextureSide; y += 8)
+      for (int x = 0; x < kTextureSide; x += 8)
         painter.fillRect(x, y, 8, 8,
                          (x + y) / 8 % 2 ? QColor(0x70, 0x70, 0x70) : QColor(0x98, 0x98, 0x98));
   }
@@ -70,7 +70,7 @@ TexturesPanel::TexturesPanel(Workbench &bench) : m_bench(bench), m_tool(bench.pl
   row->add({file, cube, generate});
   row->add({m_filter, m_wrap});
   m_list = new QListWidget;
-  m_list->setIconSize({kSide, kSide});
+  m_list->setIconSize({kTextureSide, kTextureSide});
   m_list->setAccessibleName(tr("Texture units"));
   m_list->setWordWrap(true);
   layout->addWidget(row);
@@ -92,7 +92,7 @@ void TexturesPanel::read() {
   const int current = m_list->currentRow();
   m_list->clear();
   for (const TextureLine &line : lines) {
-    auto *item = new QListWidgetItem(iconOf(m_thumbnails.value(line.source)),
+    auto *item = new QListWidgetItem(textureIcon(m_thumbnails.value(line.source)),
                                      tr("unit %1: %2\n%3, %4; line %5")
                                          .arg(line.unit)
                                          .arg(line.source, line.filter, line.wrap)
@@ -170,7 +170,7 @@ void TexturesPanel::nextThumbnail() {
   const QString source = m_wanted.takeFirst();
   m_thumbnails.insert(source, {});
   Scene scene = m_bench.scene();
-  scene.text = thumbnailDocument(source, kSide);
+  scene.text = thumbnailDocument(source, kTextureSide);
   scene.name = QStringLiteral(".thumbnail.fp");
   auto file = std::make_shared<QTemporaryFile>();
   if (!file->open())
@@ -181,7 +181,7 @@ void TexturesPanel::nextThumbnail() {
                  m_thumbnails[source] = image;
                for (int i = 0; i < m_lines.size(); ++i)
                  if (m_lines[i].source == source && m_list->item(i))
-                   m_list->item(i)->setIcon(iconOf(m_thumbnails[source]));
+                   m_list->item(i)->setIcon(textureIcon(m_thumbnails[source]));
                // This is queued, as the current run has not ended yet.
                QMetaObject::invokeMethod(
                    this, [this] { nextThumbnail(); }, Qt::QueuedConnection);
