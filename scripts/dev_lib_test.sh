@@ -11,6 +11,20 @@ trap 'rm -rf "$out"' EXIT
 source "$root/scripts/dev_lib.sh"
 passed=0
 
+pass_python_wrapper # as ./dev does
+# A script that stands in for Python is passed by.
+(
+  mkdir "$out/wrapper"
+  printf '#!/bin/sh\nexec "%s" "$@"\n' "$(command -v python3)" >"$out/wrapper/python3"
+  chmod +x "$out/wrapper/python3"
+  real=$(command -v python3)
+  PATH=$out/wrapper:$PATH
+  [[ $(command -v python3) == "$out/wrapper/python3" ]]
+  pass_python_wrapper
+  [[ $(readlink -f "$(command -v python3)") == $(readlink -f "$real") ]]
+)
+passed=$((passed + 1))
+
 # usage: suite STATUS LAST_LINE COMMANDS   runs a suite of these steps, in a shell of its own
 suite() {
   local status=0 said
