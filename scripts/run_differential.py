@@ -14,6 +14,7 @@ over machines (docs/driver/shards.md).
 """
 
 import argparse
+import concurrent.futures
 import json
 import os
 import pathlib
@@ -28,7 +29,6 @@ import results
 import sharding
 
 SOURCES = ("include", "src", "tests/back_ends_vs_interpreter")  # what a result depends on
-STATISTICS = "statistics.json"  # of the layer, in the way that ran last
 SUITE_GLSL = 16  # draws of the suite's own GLSL: one an attribute that programs read
 
 
@@ -75,6 +75,11 @@ def compiled_by_layer(stats):
         return 0
 
 
+def statistics_of(name, out):
+    """Returns the file of the layer's statistics of a way."""
+    return out / (name + "-statistics.json")
+
+
 def all_ways(args, out):
     """(name, programs, options, environment) of each; statistics go to `out`."""
     layer = (args.build / "src/interposer/libGLX_arbiter.so.0").resolve()
@@ -84,7 +89,8 @@ def all_ways(args, out):
     ways = [("glsl", args.count, ["--mode", "glsl"], {}),
             ("host", args.count, ["--mode", "arb"], {}),
             ("printed", args.count, ["--mode", "assembly"], {}),
-            ("layer", args.count, ["--mode", "arb"], {**in_front, "ARBITER_STATS": str(out / STATISTICS)}),
+            ("layer", args.count, ["--mode", "arb"],
+             {**in_front, "ARBITER_STATS": str(statistics_of("layer", out))}),
             ("vertex-glsl", args.vertex_count, [*vertex, "glsl"], {}),
             ("vertex-host", args.vertex_count, [*vertex, "arb"], {}),
             ("vertex-printed", args.vertex_count, [*vertex, "assembly"], {}),
@@ -134,9 +140,9 @@ def all_ways(args, out):
              ("l-edges", [*of_legacy, "arb", "--suite", "edges"], legacy),
              ("l-ati", ["--language", "ati", *of_legacy, "arb"], legacy),
              ("l-vertex", ["--numerics", "legacy", *vertex, "arb"], legacy)]
-    ways += [(("swrast-" + name).rstrip("-"), count, options,
-              {**extra, "ARBITER_STATS": str(out / STATISTICS)})
-             for name, options, extra in drawn]
+    for name, options, extra in drawn:
+        name = ("swrast-" + name).rstrip("-")
+        ways.append((name, count, options, {**extra, "ARBITER_STATS": str(statistics_of(name, out))}))
     return [way for way in ways if way[1] > 0 and (not args.ways or way[0] in args.ways)]
 
 
@@ -150,23 +156,32 @@ def statistics_fault(name, row, stats):
     return ""
 
 
+def run_way(way, out, build, block):
+    """Returns a way's row, with what its statistics lack."""
+    name, _, options, extra = way
+    stats = statistics_of(name, out)
+    stats.unlink(missing_ok=True)
+    row = run(name, out, build, block, options, extra)
+    lacking = statistics_fault(name, row, stats)
+    if lacking:
+        row["faults"].append(lacking)
+    return row
+
+
 def run_shard(args, shard):
-    """(content, seconds) of the shard's block of each way's programs."""
+    """(content, seconds) of the shard's block of each way's programs. Ways run side by side, as most of a way's time is
+    one thread's; where shards do, each runs its ways in turn."""
     out = sharding.pieces_folder(args.out, args)
     out.mkdir(parents=True, exist_ok=True)
-    stats = out / STATISTICS
     rows, start = {}, time.monotonic()
-    for name, count, options, extra in all_ways(args, out):
-        # Edges have no numbers: they are one test.
-        block = shard.block(count) if "edges" not in options else (0, int(shard.has(name)) * count)
-        if block[1] == 0:
-            continue
-        stats.unlink(missing_ok=True)
-        row = rows[name] = run(name, out, args.build, block, options, extra)
-        lacking = statistics_fault(name, row, stats)
-        if lacking:
-            row["faults"].append(lacking)
-        print("%-15s %4d programs, %d failed" % (name, row["programs"], len(row["failures"])), flush=True)
+    # Edges have no numbers: they are one test.
+    blocks = [(way, shard.block(way[1]) if "edges" not in way[2] else (0, int(shard.has(way[0])) * way[1]))
+              for way in all_ways(args, out)]
+    with concurrent.futures.ThreadPoolExecutor(1 if args.shard else len(os.sched_getaffinity(0))) as pool:
+        running = [(way[0], pool.submit(run_way, way, out, args.build, block)) for way, block in blocks if block[1]]
+        for name, made in running:
+            row = rows[name] = made.result()
+            print("%-15s %4d programs, %d failed" % (name, row["programs"], len(row["failures"])), flush=True)
     return {"ways": rows}, {"all": time.monotonic() - start}
 
 
