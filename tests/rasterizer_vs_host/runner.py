@@ -136,12 +136,22 @@ class Case:
     def records(self, way, of):
         return self.process(way, of)[0]
 
-    def bare_of(self, way):
+    def bare_of(self, way, anew=False):
         """Returns the bare host's records for a way, which are read once for ways with the same words."""
         key = way.words, way.count(self.args.count)
-        if self.row.bare and not way.is_alone and key not in self.seen:
+        if self.row.bare and not way.is_alone and (anew or key not in self.seen):
             self.seen[key] = self.row.read_bare(self, way)
         return self.seen.get(key, [])
+
+    def judged(self, run, checks):
+        """Returns the complaints about a run. Where the bare host draws something else on a busy machine, it is judged
+        by what it draws the second time."""
+        wrong = [line for check in checks for line in check(run)]
+        if wrong and run.bare:
+            first, run.bare = run.bare, self.bare_of(run.way, anew=True)
+            if run.bare != first:
+                wrong = [line for check in checks for line in check(run)]
+        return wrong
 
     def results(self):
         """Returns [(what ran, complaints, the run or None)]; in place of complaints, why it is skipped."""
@@ -163,8 +173,7 @@ class Case:
             try:
                 run = Run(self, way, bare, *self.process(way, way))
                 checks = self.row.checks if way.checks is None else way.checks
-                wrong = [line for check in checks for line in check(run)]
-                found.append((f"{what}: {self.row.tell(run)}", wrong, run))
+                found.append((f"{what}: {self.row.tell(run)}", self.judged(run, checks), run))
             except DEATHS as death:
                 found.append((what, self.judge_death(way, death), None))
         return found
