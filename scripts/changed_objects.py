@@ -21,7 +21,11 @@ from tree import includes  # noqa: E402
 
 
 def git(root, *words):
-    done = subprocess.run(["git", "-C", str(root), *words], capture_output=True, text=True)
+    """Returns the lines that a git command prints, None where it fails or there is no git."""
+    try:
+        done = subprocess.run(["git", "-C", str(root), *words], capture_output=True, text=True)
+    except FileNotFoundError:
+        return None
     return done.stdout.splitlines() if done.returncode == 0 else None
 
 

@@ -55,11 +55,11 @@ fail() {
 # Where a script stands in for Python, as pyenv's does, the folder of Python itself comes first in PATH: such a script
 # takes longer than most of those that it starts, and a suite starts thousands.
 pass_python_wrapper() {
-  local python
+  local python folder
   python=$(command -v python3) || return 0
-  if [[ $(head -c 2 "$python") == '#!' ]]; then
-    PATH=$("$python" -c 'import os, sys; print(os.path.dirname(sys.executable))'):$PATH
-  fi
+  [[ $(head -c 2 "$python") == '#!' ]] || return 0
+  folder=$("$python" -c 'import os, sys; print(os.path.dirname(sys.executable))') || return 0
+  if [[ -n $folder ]]; then PATH=$folder:$PATH; fi
 }
 
 as_root() {

@@ -2,11 +2,13 @@
 """Checks which objects scripts/changed_objects.py names, in a repository of its own."""
 
 import json
+import os
 import pathlib
 import subprocess
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
 
@@ -83,6 +85,10 @@ class ChangedObjects(unittest.TestCase):
 
     def test_all_where_there_are_fewer_commits(self):
         self.assertEqual(len(self.objects(9)), len(SOURCES) + 1)
+
+    def test_all_where_there_is_no_git(self):
+        with mock.patch.dict(os.environ, PATH=""):
+            self.assertEqual(len(self.objects(0)), len(SOURCES) + 1)
 
 
 if __name__ == "__main__":

@@ -80,7 +80,8 @@ TEST_F(Era, NvFence) {
   EXPECT_EQ(glIsFenceNV(names[0]), GL_FALSE);
 }
 
-// Without any other call. NVIDIA's present drivers fail this, even after a flush.
+// TestFence needs no other call before it returns true. NVIDIA's present drivers do, after a flush
+// too.
 TEST_F(Era, TestFenceAloneEventuallyReturnsTrue) {
   NEEDS("GL_NV_fence");
   GLuint name = 0;

@@ -232,6 +232,7 @@ double seconds(const std::string &text, const CompileOptions &options) {
 
 TEST(Hostile, AFullProgramTakesUnderFiveMilliseconds) {
 #ifdef __SANITIZE_THREAD__
+  // The bound is that of code which nothing instruments.
   GTEST_SKIP() << "ThreadSanitizer makes code ten times as slow";
 #endif
   std::string text = "TEMP a, b;\nPARAM p[4] = { program.local[0..3] };\n";

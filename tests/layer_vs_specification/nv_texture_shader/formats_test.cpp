@@ -126,6 +126,48 @@ TEST_F(NvTextureShaders, PixelsOfEveryType) { // ds and dt are signed, magnitude
                GL_SIGNED_HILO_NV, GL_HILO_NV);
 }
 
+/// Expects the two components of the bound texture, read as a type.
+template <typename T> void expectRead(GLenum type, std::array<T, 2> expected) {
+  SCOPED_TRACE(testing::Message() << std::hex << type);
+  std::array<T, 2> texel{};
+  EXPECT_NO_GL_ERROR(glGetTexImage(GL_TEXTURE_2D, 0, GL_HILO_NV, type, texel.data()));
+  EXPECT_EQ(texel, expected);
+}
+
+TEST_F(NvTextureShaders, PixelsAreReadAsEveryType) { // -1 is the second smallest, as it is written
+  const GLshort shorts[] = {-32767, 16384};
+  const GLuint name = makeTexel(GL_SIGNED_HILO_NV, GL_HILO_NV, GL_SHORT, shorts);
+  expectRead(GL_BYTE, std::array<GLbyte, 2>{-127, 64});
+  expectRead(GL_UNSIGNED_BYTE, std::array<GLubyte, 2>{0, 128});
+  expectRead(GL_SHORT, std::array<GLshort, 2>{-32767, 16384});
+  std::array<GLint, 2> ints{};
+  glGetTexImage(GL_TEXTURE_2D, 0, GL_HILO_NV, GL_INT, ints.data());
+  EXPECT_EQ(ints[0], -INT32_MAX);
+  EXPECT_NEAR(ints[1] / double(INT32_MAX), 16384.0 / 32767, 1e-6);
+  std::array<GLuint, 2> unsignedInts{};
+  glGetTexImage(GL_TEXTURE_2D, 0, GL_HILO_NV, GL_UNSIGNED_INT, unsignedInts.data());
+  EXPECT_EQ(unsignedInts[0], 0u);
+  EXPECT_NEAR(unsignedInts[1] / double(UINT32_MAX), 16384.0 / 32767, 1e-6);
+
+  glPixelStorei(GL_PACK_SWAP_BYTES, GL_TRUE);
+  expectRead(GL_SHORT, std::array<GLshort, 2>{0x0180, 0x0040});
+  glPixelStorei(GL_PACK_SWAP_BYTES, GL_FALSE);
+  GLuint buffer = 0;
+  glGenBuffers(1, &buffer);
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
+  glBufferData(GL_PIXEL_PACK_BUFFER, 8, nullptr, GL_STATIC_READ);
+  void *const behind = reinterpret_cast<void *>(4);
+  EXPECT_NO_GL_ERROR(glGetTexImage(GL_TEXTURE_2D, 0, GL_HILO_NV, GL_SHORT, behind));
+  std::array<GLshort, 2> back{};
+  glGetBufferSubData(GL_PIXEL_PACK_BUFFER, 4, 4, back.data());
+  EXPECT_EQ(back, (std::array<GLshort, 2>{-32767, 16384}));
+  EXPECT_GL_ERROR(GL_INVALID_OPERATION,
+                  glGetTexImage(GL_TEXTURE_2D, 0, GL_HILO_NV, GL_INT, behind));
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  glDeleteBuffers(1, &buffer);
+  glDeleteTextures(1, &name);
+}
+
 TEST_F(NvTextureShaders, PackedPixels) { // table 3.8: S8 components are signed
   const GLuint word = 0x7F81C040;
   GLuint name =

@@ -37,7 +37,7 @@ bool Parser::isRegister(const Token &token, Access access, std::uint8_t &index) 
   }
   index = *number;
   m_registersUsed[index] = true;
-  // Not GL_MAX_TEXTURE_UNITS, which counts those of fixed function: four where drivers have 32.
+  // GL_MAX_TEXTURE_UNITS counts units of fixed function alone; NVIDIA's drivers have four of them.
   if (index >= m_limits.textureImageUnits)
     error(DiagnosticId::AtiRegisterUnit, token.span,
           std::string(text(token)) + " has no texture unit of its number: there are " +

@@ -87,17 +87,6 @@ void packed(std::uint32_t word, GLenum type, GLfloat *to) {
     to[i] = i < 2 ? signedValue(std::int8_t(byte)) : unsignedValue(byte);
   }
 }
-std::uint32_t word(const GLfloat *from, GLenum type) {
-  const bool reversed = type == GL_UNSIGNED_INT_8_8_S8_S8_REV_NV;
-  std::uint32_t result = 0;
-  for (int i = 0; i < 4; ++i) {
-    const auto byte = std::uint8_t(i < 2 ? std::lround(std::clamp(from[i], -1.0f, 1.0f) * 127.0f)
-                                         : std::lround(std::clamp(from[i], 0.0f, 1.0f) * 255.0f));
-    result |= std::uint32_t(byte) << (reversed ? 8 * i : 24 - 8 * i);
-  }
-  return result;
-}
-
 template <typename T> void write(T value, bool swaps, std::uint8_t *to) {
   std::memcpy(to, &value, sizeof value);
   if (swaps)
@@ -108,6 +97,17 @@ template <typename T> T integer(GLfloat value) {
   const double least = std::numeric_limits<T>::is_signed ? -1 : 0;
   return T(
       std::llround(std::clamp(double(value), least, 1.0) * double(std::numeric_limits<T>::max())));
+}
+
+std::uint32_t word(const GLfloat *from, GLenum type) {
+  const bool reversed = type == GL_UNSIGNED_INT_8_8_S8_S8_REV_NV;
+  std::uint32_t result = 0;
+  for (int i = 0; i < 4; ++i) {
+    const auto byte =
+        i < 2 ? std::uint8_t(integer<std::int8_t>(from[i])) : integer<std::uint8_t>(from[i]);
+    result |= std::uint32_t(byte) << (reversed ? 8 * i : 24 - 8 * i);
+  }
+  return result;
 }
 
 void writeComponent(GLfloat value, GLenum type, bool swaps, std::uint8_t *to) {
