@@ -127,6 +127,7 @@ void querySoftwareCaps(HostCaps &caps, int gl) {
   caps.attribBinding = since(43, {"GL_ARB_vertex_attrib_binding"});
   caps.bufferStorage = since(44, {"GL_ARB_buffer_storage"});
   caps.symmetricSigned = gl >= 42;
+  caps.namedSnorm = since(kNever, {"GL_EXT_texture_snorm"});
   caps.copyBuffer = since(31, {"GL_ARB_copy_buffer"});
   caps.syncObjects = since(32, {"GL_ARB_sync"});
 }
@@ -209,8 +210,8 @@ HostCaps queryHostCaps(const host::HostTable &host) {
 bool HostCaps::drawsNvOptions() const { return bitEncoding && has("GL_ARB_shader_texture_lod"); }
 
 bool HostCaps::drawsTextureShaders() const {
-  return has("GL_EXT_texture_snorm") && has("GL_ARB_texture_float") && has("GL_ARB_texture_rg") &&
-         textureRectangle;
+  return (namedSnorm || has("GL_NV_texture_shader")) && has("GL_ARB_texture_float") &&
+         has("GL_ARB_texture_rg") && textureRectangle;
 }
 
 fp::Limits queryHostLimits(GLenum target, const host::HostTable &host, const HostCaps &caps) {

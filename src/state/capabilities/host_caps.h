@@ -66,6 +66,7 @@ struct HostCaps {
   bool fixedIndexRestart = false;
   bool attribBinding = false; ///< vertex buffer bindings apart from attribute formats
   bool bufferStorage = false;
+  bool namedSnorm = false;      ///< signed luminance, intensity and alpha of EXT_texture_snorm
   bool symmetricSigned = false; ///< signed normalised numbers convert as in OpenGL 4.2
   bool syncObjects = false;     ///< FenceSync (ARB_sync)
   bool copyBuffer = false;      ///< COPY_READ_BUFFER, a binding that draws do not use

@@ -138,7 +138,7 @@ void defineColorsAlone(Context &context, GLenum target, GLint level, GLint inter
   const TextureShaderCommand format = {.kind = TextureShaderCommand::Kind::Format,
                                        .pname = own ? own->name : 0,
                                        .values = {GLfloat(target), GLfloat(level)}};
-  const GLint there = own ? GLint(own->host) : internalformat;
+  const GLint there = own ? GLint(hostFormat(*own, context.caps)) : internalformat;
   if (context.listMode != 0) {
     host(there);
     noteProgramApiUse(context);

@@ -103,7 +103,7 @@ void copyToOwnFormat(RasterContext &context, const CopyCommand &copy) {
           : nullptr;
   CopyCommand hosts = copy;
   if (own)
-    hosts.internalFormat = own->host;
+    hosts.internalFormat = hostFormat(*own, context.caps);
   if (!defines(copy.kind) || (!own && !context.group->textureFormats.any()))
     return copyColors(context, hosts);
   const GLenum earlier = takeHostErrors(*context.host);

@@ -70,6 +70,18 @@ const ComponentFormat *componentFormat(GLenum name, int extensions) {
   return at == std::end(kFormats) || at->extension > extensions ? nullptr : at;
 }
 
+GLenum hostFormat(const ComponentFormat &format, const HostCaps &caps) {
+  switch (format.host) {
+  case GL_LUMINANCE8_SNORM:
+  case GL_LUMINANCE8_ALPHA8_SNORM:
+  case GL_ALPHA8_SNORM:
+  case GL_INTENSITY8_SNORM:
+    return caps.namedSnorm ? format.host : format.name;
+  default:
+    return format.host;
+  }
+}
+
 bool isComponentFormat(GLenum format) { return componentsOf(format) != 0; }
 
 int componentsOf(GLenum format) {

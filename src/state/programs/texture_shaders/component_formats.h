@@ -5,6 +5,7 @@
 #include <GL/glext.h>
 
 #include "fp_compiler/texture_shader/state.h"
+#include "state/capabilities/host_caps.h"
 
 /// The internal formats of NV_texture_shader and 3 (table 3.16) and of ATI_envmap_bumpmap, with the
 /// host's format that stores each.
@@ -14,7 +15,7 @@ struct ComponentFormat {
   GLenum name = 0;
   fp::texture_shader::Base base = fp::texture_shader::Base::None;
   fp::texture_shader::Signs signs = fp::texture_shader::Signs::Unsigned;
-  GLenum host = 0;     ///< the host's internal format
+  GLenum host = 0;     ///< the host's internal format, unless hostFormat() says otherwise
   GLenum external = 0; ///< the only format of TexImage that is allowed; 0: colour formats
   int extension = 1;   ///< 1 or 3: NV_texture_shader or 3; 0: ATI_envmap_bumpmap
   /// Bits of its components: red, green, blue, alpha, luminance, intensity, hi, lo, ds, dt,
@@ -28,6 +29,9 @@ struct ComponentFormat {
 /// Returns the format of a name. Returns null for other names, or if it belongs to an extension
 /// beyond the first `extensions`.
 [[nodiscard]] const ComponentFormat *componentFormat(GLenum name, int extensions = 3);
+/// Returns the host's internal format that stores it. A host without EXT_texture_snorm has no
+/// signed luminance, intensity and alpha but NV_texture_shader's own.
+[[nodiscard]] GLenum hostFormat(const ComponentFormat &format, const HostCaps &caps);
 /// True for HILO_NV, DSDT_NV, DSDT_MAG_NV, DSDT_MAG_VIB_NV or DUDV_ATI, which are external formats.
 [[nodiscard]] bool isComponentFormat(GLenum format);
 [[nodiscard]] int componentsOf(GLenum format);

@@ -160,7 +160,7 @@ GLenum componentFormatOf(ProgramContext &context, GLenum image, GLint level) {
   // format.
   GLint there = 0;
   context.host->GetTexLevelParameteriv(image, level, GL_TEXTURE_INTERNAL_FORMAT, &there);
-  return GLenum(there) == format->host ? name : 0;
+  return GLenum(there) == hostFormat(*format, context.caps) ? name : 0;
 }
 
 void noteImageFormat(ProgramContext &context, GLenum image, GLint level, GLenum internalFormat) {

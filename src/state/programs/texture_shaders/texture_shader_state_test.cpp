@@ -2,10 +2,13 @@
 // program.
 #include "state/programs/texture_shaders/texture_shader_state.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "state/host_draw/linking/linked_program_cache.h"
 #include "state/objects/linked_program.h"
+#include "state/programs/texture_shaders/component_formats.h"
 #include "state/testing/current_context.h"
 
 namespace arbiter::state {
@@ -38,6 +41,27 @@ TEST(TextureShaderState, NeedsTheHostsFormats) {
   const CurrentContext context(host);
   ASSERT_TRUE(context->textureShaders);
   EXPECT_EQ(context->textureShaders->extensions(), 3);
+}
+
+// A host with texture shaders of its own has the formats of NV_texture_shader. Its shaders would
+// run without the layer's combiners.
+TEST(TextureShaderState, AHostWithTheSameExtensionKeepsItsFormats) {
+  ShaderHost host;
+  std::replace(host.extensions.begin(), host.extensions.end(), std::string("GL_EXT_texture_snorm"),
+               std::string("GL_NV_texture_shader"));
+  const CurrentContext context(host);
+  ASSERT_TRUE(context->textureShaders);
+  const auto storedAs = [&](GLenum name) {
+    return hostFormat(*componentFormat(name), context->caps);
+  };
+  for (const GLenum name : {GL_SIGNED_LUMINANCE8_NV, GL_SIGNED_LUMINANCE8_ALPHA8_NV,
+                            GL_SIGNED_ALPHA8_NV, GL_SIGNED_INTENSITY8_NV})
+    EXPECT_EQ(storedAs(name), name);
+  EXPECT_EQ(storedAs(GL_SIGNED_RGBA8_NV), GLenum(GL_RGBA8_SNORM));
+  ShaderHost mesa;
+  const CurrentContext another(mesa);
+  EXPECT_EQ(hostFormat(*componentFormat(GL_SIGNED_ALPHA8_NV), another->caps),
+            GLenum(GL_ALPHA8_SNORM));
 }
 
 TEST(TextureShaderState, ADrawHasTheirProgram) {
