@@ -5,20 +5,23 @@ usage: release.py [SUITE...]     those that have no result of this commit yet, o
        --list                    the suites, with what is known of each
        --again                   also those that have a result
        --sitting MINUTES         begins no suite that would end later than that from now
-       --published FILE         results of this commit that docs/results/collect.py wrote of other machines: their
-                                suites are not run again
+       --published FILE         results of other machines, as docs/results/collect.py writes them: suites whose result
+                                stands are not run again. docs/results/results.json by default
        --engine NAME ...         --shards, --hosts and --engine-option too, for the suites that take them
 
-A result is out/release/COMMIT/SUITE.json, written when its suite has ended, with SUITE.log beside it. A run that is
+A result is out/release/COMMIT/SUITE.json, written when its suite has ended, with SUITE.log beside it. It stands on
+later commits until a file changes that the suite reads, which the table of suites says. A run that is
 ended by a signal leaves no result of the suite that was under way, so the same command goes on with that one. The
 tree must be as the commit has it, before a suite and after it. release.json has the table that is printed at the
 end. The status is 0 if every suite has passed, 1 if one has failed, and 3 if one has not been run.
 """
 
 import argparse
+import contextlib
 import ctypes
 import datetime
 import fcntl
+import functools
 import json
 import os
 import pathlib
@@ -40,11 +43,18 @@ GROUP = """trap 'trap "" TERM; kill -TERM 0; exit 143' TERM; env --default-signa
 
 
 def suites_of(path):
-    """Returns the rows of the table of suites, in its order."""
-    rows = tomllib.loads(path.read_text())["suite"]
+    """Returns the rows of the table of suites, in its order, each with the paths that its suite does not read."""
+    table = tomllib.loads(path.read_text())
+    rows = table["suite"]
     names = [row["name"] for row in rows]
     if len(set(names)) < len(names):
         sys.exit(f"{path.name}: a suite is named twice")
+    for files in table.get("files", []):
+        if unknown := set(files["read_by"]) - set(names):
+            sys.exit(f"{path.name}: no suite {', '.join(sorted(unknown))}, which reads {files['paths'][0]}")
+    for row in rows:
+        row["unread"] = tuple(each for files in table.get("files", []) if row["name"] not in files["read_by"]
+                              for each in files["paths"])
     return rows
 
 
@@ -60,6 +70,16 @@ def commit_of(root):
     if changed:
         sys.exit("release: the tree is not as a commit has it:\n" + changed)
     return git(root, "rev-parse", "HEAD")
+
+
+@functools.cache
+def changed_between(root, earlier, later):
+    """Returns the paths that differ between two commits, None if the one is no ancestor of the other."""
+    try:
+        git(root, "merge-base", "--is-ancestor", earlier, later)
+    except subprocess.CalledProcessError:
+        return None
+    return git(root, "diff", "--name-only", "--no-renames", earlier, later).splitlines()
 
 
 def first_line(*command):
@@ -116,22 +136,35 @@ class Release:
 
     def __init__(self, root, suites, commit, out, published=()):
         self.root, self.suites, self.commit = root, suites, commit
-        self.published = {row["suite"]: row for row in published if row["commit"] == commit}
+        self.published = published
         self.folder = out / commit
         self.folder.mkdir(parents=True, exist_ok=True)
 
+    def results(self, suite):
+        """Returns the suite's results of any commit, here and then published."""
+        rows = []
+        for path in self.folder.parent.glob(f"*/{suite['name']}.json"):
+            with contextlib.suppress(json.JSONDecodeError):
+                rows.append(json.loads(path.read_text()))
+        return rows + [row for row in self.published if row["suite"] == suite["name"]]
+
     def result(self, suite):
-        """Returns the suite's result, here or published, None if it has none."""
-        try:
-            return json.loads((self.folder / f"{suite['name']}.json").read_text())
-        except (OSError, json.JSONDecodeError):
-            return self.published.get(suite["name"])
+        """Returns the suite's result of this commit, else the last one of an earlier commit that stands, else None."""
+        rows = [row for row in self.results(suite) if self.stands(row, suite)]
+        own = [row for row in rows if row["commit"] == self.commit]
+        return own[0] if own else max(rows, key=lambda row: row["date"], default=None)
+
+    def stands(self, row, suite):
+        """Returns whether a result is of the suite's command, and no file that it reads has changed since."""
+        changed = changed_between(self.root, row["commit"], self.commit)
+        command = row.get("command", suite["command"])
+        return (command[:len(suite["command"])] == suite["command"] and changed is not None
+                and all(path.startswith(suite["unread"]) for path in changed))
 
     def minutes(self, suite):
         """Returns how long the suite takes: by the last run that passed, on any commit, else by the table."""
-        done = [json.loads(path.read_text()) for path in self.folder.parent.glob(f"*/{suite['name']}.json")]
-        done = [one for one in done if passed(one)]
-        return max(done, key=lambda one: one["date"])["seconds"] / 60 if done else suite["minutes"]
+        done = [row for row in self.results(suite) if passed(row)]
+        return max(done, key=lambda row: row["date"])["seconds"] / 60 if done else suite["minutes"]
 
     def parts(self):
         """Returns the counts that the suite's verb has left."""
@@ -185,7 +218,9 @@ class Release:
                 print(f"{suite['name']:<14} {'':>8} {'':>7} {'':>8} {'':>8}  not run")
                 continue
             word = "passed" if passed(result) else "failed"
-            rows.append({key: result[key] for key in ("suite", *COUNTS, "seconds", "date")} | {"result": word})
+            rows.append({key: result[key] for key in ("suite", *COUNTS, "seconds", "date", "commit")} |
+                        {"result": word})
+            word += "" if result["commit"] == self.commit else f" at {result['commit'][:12]}"
             print(f"{suite['name']:<14} {result['passed']:>8} {result['failed']:>7} {result['skipped']:>8} "
                   f"{result['seconds'] / 60:>8.0f}  {word}")
         write(self.folder / "release.json", {"commit": self.commit, "suites": rows})
@@ -253,7 +288,7 @@ def arguments(words):
     parser.add_argument("--sitting", type=float, metavar="MINUTES", help="begin nothing that would end later")
     parser.add_argument("--suites", type=pathlib.Path, default=SUITES, help=argparse.SUPPRESS)
     parser.add_argument("--root", type=pathlib.Path, default=ROOT, help=argparse.SUPPRESS)
-    parser.add_argument("--published", type=pathlib.Path, metavar="FILE", help="results of this commit by others")
+    parser.add_argument("--published", type=pathlib.Path, metavar="FILE", help="results of other machines")
     for name in ("engine", "shards", "hosts", "engine-option"):
         parser.add_argument(f"--{name}", action="append", default=[], help="of suites that run as shards")
     return parser.parse_args(words)
@@ -269,7 +304,8 @@ def main():
     unknown = set(args.names) - {suite["name"] for suite in suites}
     if unknown:
         sys.exit(f"release: no suite {', '.join(sorted(unknown))}; --list names them")
-    published = json.loads(args.published.read_text())["results"] if args.published else ()
+    file = args.published or args.root / "docs" / "results" / "results.json"
+    published = json.loads(file.read_text())["results"] if args.published or file.exists() else ()
     release = Release(args.root, suites, commit_of(args.root), args.root / "out" / "release", published)
     if args.list:
         return release.table()

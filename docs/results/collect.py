@@ -5,7 +5,8 @@ usage: collect.py [FOLDER...]      each is out/release/COMMIT, of one machine; w
        --suites FILE               the planned suites, by default scripts/release_suites.toml
        --out FILE                  by default docs/results/results.json; the pages are written for that one alone
        --add                       keep what --out has. A new result replaces that of its suite and driver
-       --other-commits             take results of several commits; the page marks those of another than the first's
+       --other-commits             take the last results of several commits; the page marks those of another than the
+                                   first folder's
 
 A file that is cut short, does not add up, or is of another commit than the others is refused: nothing is written.
 What is published has no paths of a machine and no logs.
@@ -146,7 +147,7 @@ def collected(folders, suites, other_commits=False, earlier=None):
 
     The commit is that of the first folder."""
     names = [suite["name"] for suite in suites]
-    results, hosts, seen = [], {}, {}
+    hosts, seen = {}, {}
     for folder in folders:
         files = sorted(folder.glob("*.json"))
         if not files:
@@ -157,13 +158,16 @@ def collected(folders, suites, other_commits=False, earlier=None):
                 continue  # a note of the run's own
             result, machine = result_of(file, row, names)
             key = result["suite"], result["host"]
-            if key in seen:
-                raise Refused(f"{' on '.join(key)}: two results, in {seen[key].name[:12]} and {folder.name[:12]}")
-            seen[key] = folder
-            results.append(result)
+            other = seen.get(key)
+            if other and not (other_commits and other["commit"] != result["commit"]):
+                raise Refused(f"{' on '.join(key)}: two results of {result['commit'][:12]}")
+            if other and other["date"] > result["date"]:
+                continue
+            seen[key] = result
             machines = hosts.setdefault(result["host"], [])
             if machine not in machines:
                 machines.append(machine)
+    results = list(seen.values())
     if earlier:
         kept = [row for row in earlier["results"] if (row["suite"], row["host"]) not in seen and row["suite"] in names]
         results += kept
@@ -173,7 +177,8 @@ def collected(folders, suites, other_commits=False, earlier=None):
     commits = {result["commit"] for result in results}
     if len(commits) > 1 and not other_commits:
         raise Refused("results of several commits: " + ", ".join(sorted(commit[:12] for commit in commits)))
-    commit = results[0]["commit"] if results else None
+    commit = next((folder.name for folder in folders if folder.name in commits),
+                  results[0]["commit"] if results else None)
     results.sort(key=lambda row: (names.index(row["suite"]), list(hosts).index(row["host"])))
     return {"schema": SCHEMA, "commit": commit, "date": max((row["date"] for row in results), default=None),
             "suites": suites, "hosts": [{"name": name, "machines": found} for name, found in hosts.items()],

@@ -97,12 +97,51 @@ class Release(unittest.TestCase):
         self.assertEqual(result["skips"], {"no display": 2})
         self.assertEqual(result["commit"], self.git("rev-parse", "HEAD"))
         self.assertEqual([row["result"] for row in self.result("release")["suites"]], ["passed"] * 3)
+        (self.root / "code").write_text("another")
         self.commit()
         self.assertEqual(self.run_release("--list").returncode, release.NOT_RUN)
         self.assertEqual(self.run_release("two").returncode, release.NOT_RUN)
         self.assertEqual(self.runs(), ["one", "two", "three", "two"])
         self.assertEqual(self.run_release("two", "--again").returncode, release.NOT_RUN)
         self.assertEqual(self.runs()[-2:], ["two", "two"])
+
+    def test_a_result_stands_until_a_file_changes_that_the_suite_reads(self):
+        table = self.root / "suites.toml"
+        table.write_text(table.read_text() + '[[files]]\npaths = ["docs/", "suites.toml"]\nread_by = ["two"]\n')
+        (self.root / "docs").mkdir()
+        self.commit()
+        self.assertEqual(self.run_release().returncode, 0)
+        first = self.git("rev-parse", "HEAD")
+        (self.root / "docs" / "page").write_text("a page")
+        self.commit()
+        listed = self.run_release("--list")
+        self.assertEqual(listed.returncode, release.NOT_RUN)
+        self.assertRegex(listed.stdout, rf"one .* passed at {first[:12]}\ntwo +not run\n")
+        self.assertEqual(self.run_release().returncode, 0)
+        self.assertEqual(self.runs(), ["one", "two", "three", "two"])
+        self.assertEqual([row["commit"] for row in self.result("release")["suites"]],
+                         [first, self.git("rev-parse", "HEAD"), first])
+        table.write_text(table.read_text().replace("suite.py one", "suite.py  one"))
+        self.commit()
+        self.run_release()
+        self.assertEqual(self.runs()[4:], ["one", "two"], "another command, and a file that it reads")
+        (self.root / "code").write_text("what no row names")
+        self.commit()
+        self.run_release("three")
+        self.assertEqual(self.runs()[6:], ["three"])
+
+    def test_a_result_of_another_line_of_commits_does_not_stand(self):
+        self.run_release("one")
+        self.git("commit", "-q", "--amend", "-m", "the same files")
+        self.assertRegex(self.run_release("--list").stdout, r"one +not run")
+
+    def test_files_are_read_by_suites_that_exist(self):
+        table = self.root / "suites.toml"
+        table.write_text(table.read_text() + '[[files]]\npaths = ["docs/"]\nread_by = ["for"]\n')
+        self.assertIn("no suite for", self.run_release("--list").stderr)
+        for files in release.tomllib.loads(release.SUITES.read_text())["files"]:
+            for path in files["paths"]:
+                self.assertTrue((ROOT / path).exists(), path)
 
     def test_it_goes_on_where_it_was_killed(self):
         self.suites("one 0 quick", "two 0 wait", "three 0 quick")

@@ -128,8 +128,17 @@ class Faults(Folder):
     def test_two_results_of_one_suite_on_one_host(self):
         rows = [suite("test", [part("m", 1, 0, 0)], MACHINE)]
         folders = [written(self.folder, "a", rows), written(self.folder, "b", rows)]
-        with self.assertRaisesRegex(collect.Refused, "two results, in a and b"):
-            collect.collected(folders, SUITES)
+        for other_commits in (False, True):
+            with self.assertRaisesRegex(collect.Refused, "two results of"):
+                collect.collected(folders, SUITES, other_commits)
+
+    def test_the_last_result_of_several_commits(self):
+        first = written(self.folder, COMMIT, [suite("test", [part("m", 1, 0, 0)], MACHINE)])
+        row = {**suite("test", [part("m", 2, 0, 0)], MACHINE, OTHER), "date": "2036-01-01T00:00:00Z"}
+        later = written(self.folder, OTHER, [row])
+        for folders in ((first, later), (later, first)):
+            found = collect.collected(folders, SUITES, other_commits=True)
+            self.assertEqual([(row["commit"], row["passed"]) for row in found["results"]], [(OTHER, 2)])
 
 
 class Page(Folder):
