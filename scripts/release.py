@@ -21,6 +21,7 @@ import contextlib
 import ctypes
 import datetime
 import fcntl
+import fnmatch
 import functools
 import json
 import os
@@ -43,7 +44,7 @@ GROUP = """trap 'trap "" TERM; kill -TERM 0; exit 143' TERM; env --default-signa
 
 
 def suites_of(path):
-    """Returns the rows of the table of suites, in its order, each with the paths that its suite does not read."""
+    """Returns the rows of the table of suites, in its order, each with patterns of the files that it does not read."""
     table = tomllib.loads(path.read_text())
     rows = table["suite"]
     names = [row["name"] for row in rows]
@@ -53,8 +54,8 @@ def suites_of(path):
         if unknown := set(files["read_by"]) - set(names):
             sys.exit(f"{path.name}: no suite {', '.join(sorted(unknown))}, which reads {files['paths'][0]}")
     for row in rows:
-        row["unread"] = tuple(each for files in table.get("files", []) if row["name"] not in files["read_by"]
-                              for each in files["paths"])
+        row["unread"] = [each for files in table.get("files", []) if row["name"] not in files["read_by"]
+                         for each in files["paths"]]
     return rows
 
 
@@ -159,7 +160,7 @@ class Release:
         changed = changed_between(self.root, row["commit"], self.commit)
         command = row.get("command", suite["command"])
         return (command[:len(suite["command"])] == suite["command"] and changed is not None
-                and all(path.startswith(suite["unread"]) for path in changed))
+                and all(any(fnmatch.fnmatch(path, each) for each in suite["unread"]) for path in changed))
 
     def minutes(self, suite):
         """Returns how long the suite takes: by the last run that passed, on any commit, else by the table."""

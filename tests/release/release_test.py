@@ -107,7 +107,7 @@ class Release(unittest.TestCase):
 
     def test_a_result_stands_until_a_file_changes_that_the_suite_reads(self):
         table = self.root / "suites.toml"
-        table.write_text(table.read_text() + '[[files]]\npaths = ["docs/", "suites.toml"]\nread_by = ["two"]\n')
+        table.write_text(table.read_text() + '[[files]]\npaths = ["docs/*", "suites.toml"]\nread_by = ["two"]\n')
         (self.root / "docs").mkdir()
         self.commit()
         self.assertEqual(self.run_release().returncode, 0)
@@ -137,11 +137,11 @@ class Release(unittest.TestCase):
 
     def test_files_are_read_by_suites_that_exist(self):
         table = self.root / "suites.toml"
-        table.write_text(table.read_text() + '[[files]]\npaths = ["docs/"]\nread_by = ["for"]\n')
+        table.write_text(table.read_text() + '[[files]]\npaths = ["docs/*"]\nread_by = ["for"]\n')
         self.assertIn("no suite for", self.run_release("--list").stderr)
         for files in release.tomllib.loads(release.SUITES.read_text())["files"]:
             for path in files["paths"]:
-                self.assertTrue((ROOT / path).exists(), path)
+                self.assertTrue(any(ROOT.glob(path.replace("/*", "/**/*"))), path)
 
     def test_it_goes_on_where_it_was_killed(self):
         self.suites("one 0 quick", "two 0 wait", "three 0 quick")
