@@ -173,6 +173,20 @@ protected:
     return true;
   }
 
+  /// Draws so until two readings of the clock were less apart than is fast. Returns false where
+  /// they never are, as with a sanitizer on a busy machine.
+  [[nodiscard]] bool drawFast() {
+    constexpr int kTries = 50;
+    for (int i = 0; i < kTries; ++i) {
+      const auto start = ChangePace::Clock::now();
+      if (!drawChanging(2 * ChangePace::kDraws))
+        return false;
+      if (ChangePace::Clock::now() - start < ChangePace::kDraws * ChangePace::kApart)
+        return true;
+    }
+    return false;
+  }
+
   int m_value = 0;
 };
 
@@ -198,8 +212,9 @@ TEST_F(OwnFragments, AProgramWhoseParametersChangeBeforeEachDrawBecomesGlsl) {
   const GLuint changing = use(*m_context, kShading);
   ASSERT_TRUE(drawChanging(ChangePace::kDraws));
   EXPECT_TRUE(drawsByAssembly()) << "few";
-  ASSERT_TRUE(drawChanging(2 * ChangePace::kDraws));
-  EXPECT_TRUE(drawsByGlsl());
+  if (!drawFast())
+    GTEST_SKIP() << "draws are slow here";
+  ASSERT_TRUE(drawsByGlsl());
   EXPECT_EQ(m_host.uniforms.begin()->second.at(0), GLfloat(m_value));
   EXPECT_EQ(m_host.count("LinkProgram"), 1);
   handlers::BindProgramARB(*m_context, kFragment, reading);
