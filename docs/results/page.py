@@ -126,7 +126,7 @@ def sentence(data, known):
     others = sum(row["commit"] != data["commit"] for row in rows)
     sums = {name: sum(row[name] for row in rows) for name in COUNTS}
     failed = f"**{number(bad)} failed**" if bad else "none failed"
-    failed += f" but {number(explained)} as known" if explained else ""
+    failed += f" apart from {named(explained, 'known deviation')}" if explained else ""
     text = (f"At commit `{data['commit'][:12]}` of {day(data['date'])}, {ran} of {named(len(suites), 'suite')} ran on "
             f"{named(len(data['hosts']), 'host')}: {named(sums['passed'], 'case')} passed, {failed}, "
             f"{number(sums['skipped'])} skipped.")
@@ -232,9 +232,9 @@ def why(row):
 def deviations_page(known):
     """Returns the text of docs/results/deviations.md."""
     out = ["# Known deviations\n",
-           f"Arbiter departs from the words of a specification in {sum(row['kind'] == KINDS[0] for row in known)} "
-           f"places, and keeps to them in {sum(row['kind'] == KINDS[1] for row in known)} where another driver does "
-           "not.\n",
+           f"This page has {sum(row['kind'] == KINDS[0] for row in known)} places where Arbiter departs from the "
+           f"words of a specification, and {sum(row['kind'] == KINDS[1] for row in known)} where it keeps to them "
+           "and another driver does not. The pages of single languages have more, under what is not done.\n",
            GENERATED.format(source="`docs/results/deviations.toml`") + " [Tests](#tests) show each row. "
            "[deviations.json](deviations.json) has the sources as well. More places where NVIDIA's driver answers "
            "otherwise are on the pages of [its languages](../write/nv_programs.md), "

@@ -177,7 +177,7 @@ class Page(Folder):
 
     def test_a_known_failure_is_linked(self):
         text = self.text(ROWS)
-        self.assertIn("none failed but 1 as known", text)
+        self.assertIn("none failed apart from 1 known deviation", text)
         self.assertIn("| [A &#124; b](deviations.md) |", text)
         self.assertIn("| **no** |", self.text())
 
