@@ -86,13 +86,14 @@ def all_ways(args, out):
     in_front = {"LD_PRELOAD": str(layer), "ARBITER_PROFILE": "host"}
     ati = ["--language", "ati", "--mode"]
     vertex = ["--language", "vertex", "--mode"]
+    plain = ["--plain", "1"]  # Mesa reads some constants of SWZ wrong
     ways = [("glsl", args.count, ["--mode", "glsl"], {}),
-            ("host", args.count, ["--mode", "arb"], {}),
+            ("host", args.count, ["--mode", "arb", *plain], {}),
             ("printed", args.count, ["--mode", "assembly"], {}),
             ("layer", args.count, ["--mode", "arb"],
              {**in_front, "ARBITER_STATS": str(statistics_of("layer", out))}),
             ("vertex-glsl", args.vertex_count, [*vertex, "glsl"], {}),
-            ("vertex-host", args.vertex_count, [*vertex, "arb"], {}),
+            ("vertex-host", args.vertex_count, [*vertex, "arb", *plain], {}),
             ("vertex-printed", args.vertex_count, [*vertex, "assembly"], {}),
             ("vertex-layer", args.vertex_count, [*vertex, "arb"], in_front),
             ("ati-glsl", args.count, [*ati, "glsl"], {}),

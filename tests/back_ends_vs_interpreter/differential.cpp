@@ -1,4 +1,5 @@
 // differential: compares generated programs' pixels with the interpreter. See --help.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "edges.h"
+#include "fp_compiler/back/assembly/assembly.h"
 #include "suite.h"
 #include "util/json.h"
 #include "vertex_suite.h"
@@ -18,7 +20,7 @@ namespace fp = arbiter::fp;
 
 constexpr const char *kHelp =
     "usage: differential [--mode MODE] [--language LANGUAGE] [--suite S] [--count N]\n"
-    "                    [--numerics N] [--wild 0|1] [--unwritten 0|1] [--seed S]\n"
+    "                    [--numerics N] [--wild 0|1] [--unwritten 0|1] [--plain 0|1] [--seed S]\n"
     "                    [--program FILE]... [--json FILE] [--failures DIR]\n"
     "\n"
     "Draws N (500) generated programs, 16 x 16 fragments or vertices each into float buffers, and\n"
@@ -43,6 +45,8 @@ constexpr const char *kHelp =
     "  --unwritten 1   arb, vertex: programs that read and leave what nothing wrote, which is zero "
     "on\n"
     "               the layer's paths, and undefined on others\n"
+    "  --plain 1    a program with SWZ has the compiler's own text, where SWZ reads no constant:\n"
+    "               Mesa's own compiler reads some wrong\n"
     "  --program FILE   this text in place of generated ones (its header says which stage);\n"
     "               may be given several times; a failure's seed is the number of the file, from "
     "1\n"
@@ -102,6 +106,7 @@ struct Arguments {
   bool edges = false;
   bool wild = false;
   bool unwritten = false;
+  bool plain = false;
   std::vector<std::string> programs; ///< texts of files
   SuiteOptions suite;
 };
@@ -139,6 +144,18 @@ bool readProgram(const char *path, Arguments &arguments) {
   return true;
 }
 
+/// Returns the program with the compiler's own text if it has a SWZ, which then reads no constant.
+/// Mesa reads some of those wrong (back/assembly/constants.h).
+Subject plainSubject(Subject subject) {
+  const auto swizzles = [](const fp::ir::Instruction &each) {
+    return each.op == fp::ir::Opcode::Swz;
+  };
+  if (!subject.program ||
+      std::none_of(subject.program->code.begin(), subject.program->code.end(), swizzles))
+    return subject;
+  return subjectOf(subject.program->language, fp::emitAssembly(*subject.program));
+}
+
 /// Chooses the programs for the seeds. Returns false if the way has no such programs.
 bool chooseSubjects(Arguments &arguments) {
   SuiteOptions &suite = arguments.suite;
@@ -148,6 +165,10 @@ bool chooseSubjects(Arguments &arguments) {
     suite.subject = wildSubject;
   if (arguments.unwritten)
     suite.subject = way.unwritten;
+  if (arguments.plain)
+    suite.subject = [given = suite.subject](std::uint64_t seed) {
+      return plainSubject(given(seed));
+    };
   if (arguments.programs.empty())
     return !arguments.unwritten || way.unwritten;
   const auto language =
@@ -183,6 +204,8 @@ bool parse(int argc, char **argv, Arguments &arguments) {
       arguments.wild = !std::strcmp(value, "1");
     else if (name == "--unwritten")
       arguments.unwritten = !std::strcmp(value, "1");
+    else if (name == "--plain")
+      arguments.plain = !std::strcmp(value, "1");
     else if (name == "--program") {
       if (!readProgram(value, arguments))
         return false;

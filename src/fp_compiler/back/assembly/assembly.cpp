@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "fp_compiler/back/assembly/constants.h"
 #include "fp_compiler/back/assembly/names.h"
 #include "fp_compiler/ir/fog.h"
 #include "fp_compiler/ir/print.h"
@@ -10,6 +11,7 @@
 
 namespace arbiter::fp {
 
+using assembly::isExtended;
 using ir::Instruction;
 using ir::Opcode;
 using ir::Operand;
@@ -35,13 +37,6 @@ std::string options(const ir::Options &o, bool vertex) {
   option(o.pixelCenterInteger, "ARB_fragment_coord_pixel_center_integer");
   option(o.positionInvariant, "ARB_position_invariant");
   return text;
-}
-
-/// True for an operand that only SWZ can express: 0, 1, or differing signs.
-bool isExtended(const Operand &operand) {
-  return (operand.negate != 0 && operand.negate != 0xF) ||
-         std::any_of(operand.swizzle.begin(), operand.swizzle.end(),
-                     [](Select select) { return select > Select::W; });
 }
 
 std::string masked(const std::string &name, std::uint8_t mask) {
@@ -186,12 +181,14 @@ private:
 } // namespace
 
 std::string emitAssembly(const ir::Program &program, PartlyWritten parts) {
-  return Writer(program, parts).run();
+  const ir::Program plain = assembly::withPlainConstants(program);
+  return Writer(plain, parts).run();
 }
 
 std::string emitAssembly(const ir::Program &program, PartlyWritten parts,
                          const AssemblyLimits &most) {
-  Writer writer(program, parts);
+  const ir::Program plain = assembly::withPlainConstants(program);
+  Writer writer(plain, parts);
   std::string text = writer.run();
   return writer.isWithin(most) ? text : std::string();
 }

@@ -23,7 +23,8 @@ struct AssemblyLimits {
 /// list of temporaries, one PARAM for each row, arrays as PARAM arrays with ranges, no aliases, no
 /// comments. Numbers have the fewest digits that give the same float. The text writes out what the
 /// project defines but the specifications do not: registers that are read before they are written,
-/// and partly written results. checkProgram() of the text therefore gives the same program.
+/// and partly written results. SWZ reads no constants (constants.h). checkProgram() of the text
+/// therefore gives a program of the same meaning.
 ///
 /// \param parts how to treat partly written results of a vertex program
 ///

@@ -87,6 +87,30 @@ TEST(Assembly, FragmentTextIsPlain) {
                                        "END\n");
 }
 
+// A host may read a constant by other components in SWZ.
+TEST(Assembly, ConstantsAreNotSwizzled) {
+  Builder b;
+  const auto t = b.temporary();
+  const auto k = b.constant(0.25f, 0.25f, 0.25f, 0.25f);
+  b.op(Opcode::Swz, t, {k.swz("xy01").negated(0b1010)});
+  b.op(Opcode::Add, t, {t.read(), b.constant(2, 3, 4, 5).swz("wz10").negated(1)});
+  b.op(Opcode::Rcp, t.mask("w"), {k.swz("1111")});
+  b.op(Opcode::Mul, b.color(), {t.read(), k});
+  const std::string text = emitAssembly(b.program());
+  EXPECT_EQ(text, "!!ARBfp1.0\n"
+                  "TEMP t0;\n"
+                  "PARAM p0 = {0.25, 0.25, 0.25, 0.25};\n"
+                  "PARAM p2 = {0.25, -0.25, 0, -1};\n"
+                  "PARAM p3 = {-5, 4, 1, 0};\n"
+                  "PARAM p4 = {1, 1, 1, 1};\n"
+                  "MOV t0, p2;\n"
+                  "ADD t0, t0, p3;\n"
+                  "RCP t0.w, p4.x;\n"
+                  "MUL result.color, t0, p0;\n"
+                  "END\n");
+  expectRoundTrip(b.program(), "constants");
+}
+
 TEST(Assembly, WhatIsUndefinedElsewhereIsWrittenOut) {
   Builder b;
   const auto t = b.temporary();

@@ -10,13 +10,13 @@ using ir::TexTarget;
 namespace {
 /// The functions that sample a target. A `projective` one takes the divisor as the last component.
 /// Other targets need an explicit division. Shadow1D's second coordinate is unused.
-struct TargetText {
+struct TargetFunctions {
   const char *function;
   const char *projective; ///< nullptr: needs an explicit division
   bool bias;
 };
 
-TargetText targetText(TexTarget target) {
+TargetFunctions functionsOf(TexTarget target) {
   switch (target) {
   case TexTarget::Tex1D:
     return {"texture1D", "texture1DProj", true};
@@ -44,7 +44,7 @@ TargetText targetText(TexTarget target) {
 std::string explicitSample(const Registers &registers, const Instruction &instruction,
                            const Components &coordinate) {
   const ir::Operand &operand = instruction.src[0];
-  const TargetText text = targetText(instruction.target);
+  const TargetFunctions text = functionsOf(instruction.target);
   std::string at =
       "(arb_tex" + std::to_string(instruction.unit) + ", " + vector(registers, operand, coordinate);
   if (instruction.op == Opcode::Txp)
@@ -64,7 +64,7 @@ std::string explicitSample(const Registers &registers, const Instruction &instru
 
 std::string call(const Registers &registers, const Instruction &instruction) {
   const ir::Operand &operand = instruction.src[0];
-  const TargetText text = targetText(instruction.target);
+  const TargetFunctions text = functionsOf(instruction.target);
   Components coordinate = positions(ir::coordinateMask(instruction.target));
   if (instruction.target == TexTarget::Shadow1D)
     coordinate = {0, 0, 2};
