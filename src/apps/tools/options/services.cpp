@@ -88,8 +88,7 @@ void addBuilder(CLI::App &app, BuilderArguments &builder) {
       .needs(pixel);
   verb.option("--panel", builder.panel,
               "NAME: the panel to bring to the front; arbiter-builder(1) lists them");
-  verb.option("--colors", builder.colors, "the window's colours")
-      .oneOf({"system", "light", "dark"});
+  verb.option("--colors", builder.colors, "the window's colors").oneOf({"system", "light", "dark"});
   verb.footer(
       "The window is the program arbiter-builder, which needs Qt 6; docs/write/builder_window.md "
       "says what it has.\n"
