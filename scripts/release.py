@@ -83,6 +83,11 @@ def changed_between(root, earlier, later):
     return git(root, "diff", "--name-only", "--no-renames", earlier, later).splitlines()
 
 
+def is_unread(path, patterns):
+    """Returns whether a pattern names a file. What Meson reads, each suite that builds reads."""
+    return not path.endswith("meson.build") and any(fnmatch.fnmatch(path, each) for each in patterns)
+
+
 def first_line(*command):
     """Returns the first line that the command prints, "" where there is none."""
     try:
@@ -141,17 +146,18 @@ class Release:
         self.folder = out / commit
         self.folder.mkdir(parents=True, exist_ok=True)
 
-    def results(self, suite):
-        """Returns the suite's results of any commit, here and then published."""
+    def local(self, suite):
+        """Returns the results that the suite has had here, of any commit."""
         rows = []
         for path in self.folder.parent.glob(f"*/{suite['name']}.json"):
             with contextlib.suppress(json.JSONDecodeError):
                 rows.append(json.loads(path.read_text()))
-        return rows + [row for row in self.published if row["suite"] == suite["name"]]
+        return rows
 
     def result(self, suite):
         """Returns the suite's result of this commit, else the last one of an earlier commit that stands, else None."""
-        rows = [row for row in self.results(suite) if self.stands(row, suite)]
+        published = [row for row in self.published if row["suite"] == suite["name"]]
+        rows = [row for row in self.local(suite) + published if self.stands(row, suite)]
         own = [row for row in rows if row["commit"] == self.commit]
         return own[0] if own else max(rows, key=lambda row: row["date"], default=None)
 
@@ -160,11 +166,11 @@ class Release:
         changed = changed_between(self.root, row["commit"], self.commit)
         command = row.get("command", suite["command"])
         return (command[:len(suite["command"])] == suite["command"] and changed is not None
-                and all(any(fnmatch.fnmatch(path, each) for each in suite["unread"]) for path in changed))
+                and all(is_unread(path, suite["unread"]) for path in changed))
 
     def minutes(self, suite):
-        """Returns how long the suite takes: by the last run that passed, on any commit, else by the table."""
-        done = [row for row in self.results(suite) if passed(row)]
+        """Returns how long the suite takes here: by the last run that passed, on any commit, else by the table."""
+        done = [row for row in self.local(suite) if passed(row)]
         return max(done, key=lambda row: row["date"])["seconds"] / 60 if done else suite["minutes"]
 
     def parts(self):

@@ -129,6 +129,10 @@ class Release(unittest.TestCase):
         self.commit()
         self.run_release("three")
         self.assertEqual(self.runs()[6:], ["three"])
+        (self.root / "docs" / "meson.build").write_text("what a build reads")
+        self.commit()
+        self.run_release("three")
+        self.assertEqual(self.runs()[7:], ["three"])
 
     def test_a_result_of_another_line_of_commits_does_not_stand(self):
         self.run_release("one")
